@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks.parts import bumpy
 from benchmarks.timing import print_table
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.geometry.facet_tree import facet_tree, planted
+from freecad_fiveaxis.core.geometry.facet_tree import build_facet_tree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.gouge import find_entries, real_motion, straight_motion
 from freecad_fiveaxis.core.gouge.deepest import nearest_on_facet
@@ -97,7 +97,7 @@ def rates(facets: int) -> dict[str, float]:
                 / _seconds(lambda c=swept, b=blocks: find_entries(body, tree, c, TOLERANCE, blocks=b))
             )
         found["peer"].append(FEW / _seconds(lambda: peer.depth(centres, 0.5 * DIAMETER)))
-        found["tree"].append(_seconds(lambda: planted(mesh)))
+        found["tree"].append(_seconds(lambda: build_facet_tree(mesh)))
     return {name: statistics.median(values) for name, values in found.items()}
 
 

@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.timing import median_seconds, print_table
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.machine import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
 from freecad_fiveaxis.core.machine.kinematics import (
     Chain,
     Setup,
@@ -47,7 +47,7 @@ def rows() -> list[list[str]]:
         np.column_stack([rng.uniform(-300, 300, (POINTS, 3)), rng.uniform(-np.pi, np.pi, (POINTS, 2))])
     )
     table = []
-    for name in shipped_machines():
+    for name in list_shipped_machines():
         kinematics = chain(load_machine(name), Setup(tool_length=100.0))
         tip, axis = forward(kinematics, q)
         np.testing.assert_allclose(stacked_forward(kinematics, q[:1000])[0], tip[:1000], rtol=0, atol=1e-9)

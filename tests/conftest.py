@@ -63,18 +63,18 @@ def kept(monkeypatch):
     for module, name, of in (
         (
             results,
-            "_computed",
+            "_compute_result",
             lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, *_content(task)),
         ),
-        (setups, "_tried", lambda task, fingerprint, progress, executor: (fingerprint, *_content(task))),
+        (setups, "_try_setups", lambda task, fingerprint, progress, executor: (fingerprint, *_content(task))),
         (
             reach,
-            "_found",
+            "_compute_map",
             lambda task, fingerprint, progress, executor: (fingerprint, reach_map.PLACES, *_content(task)),
         ),
         (
             rest,
-            "_found",
+            "_compute_heights",
             lambda figures, known, progress: (known.fingerprint, known.result.draft.settings.source),
         ),
     ):

@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from freecad_fiveaxis.core.orientation.strategies import leaned
+from freecad_fiveaxis.core.orientation.strategies import lean_axis
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, parse_cutter
 
 PICTURE = Path(__file__).resolve().parents[1] / "images" / "cutters.png"
@@ -56,7 +56,7 @@ def stand(axes: Any, text: str, lead: float, title: str) -> None:
     """A cutter that leans forward over its facet; the feed goes to the right. Where the cutter leans below it
     the facet ends."""
     cutter = parse_cutter(text)
-    axis = leaned(Z, X, np.radians(lead), 0.0)
+    axis = lean_axis(Z, X, np.radians(lead), 0.0)
     tip = cutter.tip_from_contact(0.0 * Z, Z, axis, X)[0]
     hub, side = tip + cutter.corner * axis[0], np.array([axis[0, 2], 0.0, -axis[0, 0]])
     points = tip + outline(cutter) @ np.stack([side, axis[0]])

@@ -11,7 +11,7 @@ from scipy.spatial import ConvexHull
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces
-from freecad_fiveaxis.core.passes import facet_curvature, pass_curvature, slice_mesh, turned_along
+from freecad_fiveaxis.core.passes import compute_turn, facet_curvature, pass_curvature, slice_mesh
 
 RADIUS, TUBE, HEIGHT = 60.0, 20.0, 40.0
 STEPOVER, ANGLE = 1.7, 0.3
@@ -76,7 +76,7 @@ def curvatures(made: tuple[Mesh, Exact]) -> tuple[Floats, Floats, Floats, Floats
     length = np.linalg.norm(end - start, axis=1)
     way = (end - start) / np.maximum(length, 1e-9)[:, None]
     face: Ints = contact.face[::2]
-    mean = (turned_along(facet_curvature(mesh)[:, face], way) * way).sum(axis=1)
+    mean = (compute_turn(facet_curvature(mesh)[:, face], way) * way).sum(axis=1)
     found = pass_curvature(contact)
     good = np.isfinite(found)
     return found[good], mean[good], exact(0.5 * (start + end), way)[good], length[good]

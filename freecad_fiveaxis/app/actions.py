@@ -37,7 +37,7 @@ from . import (
 from .arguments import names
 from .convert import stl_bytes
 from .long_work import take_back
-from .properties import drawn_tool, property_name
+from .properties import list_drawn_tool, property_name
 from .results import result_of, tells_of
 from .tessellation import Tessellation
 
@@ -70,7 +70,7 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
 def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.create_toolpath`."""
     settings, setup = _with_setup(doc, _with_holder(settings))
-    fixtures = [compared.checked(doc, one) for one in settings.pop("fixtures", None) or ()]
+    fixtures = [compared.check_part(doc, one) for one in settings.pop("fixtures", None) or ()]
     picked = settings.pop("picked", None) or {}
     extra = _extra(settings, _EXTRA)
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
@@ -146,9 +146,9 @@ def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> 
     """See :func:`freecad_fiveaxis.app.audit`."""
     settings = _with_holder(settings)
     fixtures = settings.pop("fixtures", None) or ()
-    drawn = _EXTRA | {"part"} | {one.name.lower() for one in drawn_tool(AUDIT)}
+    drawn = _EXTRA | {"part"} | {one.name.lower() for one in list_drawn_tool(AUDIT)}
     options = {name: value for name, value in settings.items() if name not in drawn} | {"machine": machine}
-    part = compared.checked(doc, settings.get("part"))
+    part = compared.check_part(doc, settings.get("part"))
     fixtures = auditing.check_fixtures(doc, fixtures, part)
     build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options, part, fixtures))
     with _all_or_nothing(doc) as added:

@@ -36,7 +36,9 @@ def file_name(given: Any) -> Any:
     """Return the name of a file."""
     if isinstance(given, str) or (isinstance(given, os.PathLike) and isinstance(os.fspath(given), str)):
         return given
-    raise FileError(say("{value} is no name of a file: give a text or a path", value=_shown(given)), given)
+    raise FileError(
+        say("{value} is no name of a file: give a text or a path", value=_show_given(given)), given
+    )
 
 
 def file_name_or_none(given: Any) -> Any:
@@ -50,7 +52,7 @@ def names(given: Any) -> tuple[str, ...]:
         return (given,)
     if isinstance(given, (tuple, list)) and all(isinstance(one, str) for one in given):
         return tuple(given)
-    raise _refused(given, say("a list of names"))
+    raise _refuse(given, say("a list of names"))
 
 
 def base(given: Any) -> Any:
@@ -65,7 +67,7 @@ def files(given: Any) -> Any:
     if given is not None and not (
         isinstance(given, Mapping) and all(isinstance(data, bytes) for data in given.values())
     ):
-        raise _refused(given, say("file names with their contents as bytes"))
+        raise _refuse(given, say("file names with their contents as bytes"))
     for name in given or ():
         file_name(name)
     return given
@@ -77,16 +79,16 @@ def _with(given: Any, name: str, wanted: str) -> Any:
     except ReferenceError:  # a document that is closed, an object that is deleted
         fits = False
     if not fits:
-        raise _refused(given, wanted)
+        raise _refuse(given, wanted)
     return given
 
 
-def _refused(given: Any, wanted: str) -> SelectionError:
+def _refuse(given: Any, wanted: str) -> SelectionError:
     return SelectionError(
-        say("{value} is not what is meant: give {wanted}", value=_shown(given), wanted=wanted), given
+        say("{value} is not what is meant: give {wanted}", value=_show_given(given), wanted=wanted), given
     )
 
 
-def _shown(given: Any) -> str:
+def _show_given(given: Any) -> str:
     label = getattr(given, "Label", None)
     return label if isinstance(label, str) else repr(given)[:60]

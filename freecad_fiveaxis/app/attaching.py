@@ -127,7 +127,7 @@ def _mesh_corners(one: Chosen, holder: Any) -> Floats:
 def _solid_corners(label: str, shape: Any, holder: Any, linear: float, progress: Progress) -> Floats:
     """Return the corners (f, 3, 3) of the facets of a shape's solids, mm of the document."""
     shape.Placement = holder.multiply(shape.Placement)
-    found = meshing.meshed(shape, linear, math.radians(ANGULAR), progress)
+    found = meshing.mesh_shape(shape, linear, math.radians(ANGULAR), progress)
     if found is None:
         raise selection.invalid(label)
     with tempfile.TemporaryDirectory() as folder:  # FreeCAD 0.20 writes nothing into a stream

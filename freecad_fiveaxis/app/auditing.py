@@ -26,7 +26,7 @@ from .properties import (
     RESULTS,
     WORK_ZERO,
     Property,
-    drawn_tool,
+    list_drawn_tool,
     setting_properties,
 )
 from .schema import Proxy, is_restored
@@ -75,7 +75,7 @@ class Audit(Proxy):
             PART_LABEL,
             FIXTURES,
             *setting_properties(AUDIT),
-            *drawn_tool(AUDIT),
+            *list_drawn_tool(AUDIT),
             WORK_ZERO,
             *RESULTS,
         )
@@ -94,12 +94,12 @@ class Audit(Proxy):
             AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT), obj.Part, fixtures)
         )
         part = None if obj.Part is None else compared.Part(obj.Part, zero, self.seen)
-        solids = compared.held_parts(fixtures, zero, self.held)
+        solids = compared.find_held_parts(fixtures, zero, self.held)
         return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part, fixtures=solids)
 
     def make_draft(self, task: results.Task, progress: Progress) -> ProgramDraft:
         """Return the file's program."""
-        return job.make(task.settings, progress, fixtures=task.held(progress))
+        return job.make(task.settings, progress, fixtures=task.mesh_fixtures(progress))
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Another part is remembered by its name. That it is deleted looks here as if it was taken out of the
@@ -136,7 +136,7 @@ def check_fixtures(doc: Any, fixtures: Sequence[Any], part: Any) -> list[Any]:
     """Give the fixtures of an Audit. Raises SelectionError for what is no solid and no mesh, and for the part
     itself."""
     for one in fixtures:
-        compared.checked(doc, one)
+        compared.check_part(doc, one)
         if one is part:
             text = say(
                 "{label} is the part to compare with: choose what holds it, or no fixture.", label=one.Label

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.sentences import joined, say
+from freecad_fiveaxis.core.base.sentences import join_sentences, say
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.tool import kind_of
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -184,7 +184,10 @@ def _tool(job: Any, number: int | None) -> JobTool:
             number,
         )
     raise SelectionError(
-        say("{label}: {errors}", label=job.Label, errors=joined((tool.error for tool in tools), "; ")), number
+        say(
+            "{label}: {errors}", label=job.Label, errors=join_sentences((tool.error for tool in tools), "; ")
+        ),
+        number,
     )
 
 

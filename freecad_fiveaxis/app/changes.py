@@ -65,14 +65,14 @@ def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
     return compute(obj)
 
 
-def shown_options(obj: Any, task: str) -> dict[str, Any]:
+def read_options(obj: Any, task: str) -> dict[str, Any]:
     """Every option of the task as the object has it (mm, deg, mm/min), None where it is not given."""
     return default_options(task) | convert.options_of(obj, task)
 
 
 def default_options(task: str) -> dict[str, Any]:
     """Every option of the task with the core's default (mm, deg, mm/min), None where nothing is given."""
-    return {leaf.name: _default(leaf) for _, leaf in properties.shown_options(task)}
+    return {leaf.name: _default(leaf) for _, leaf in properties.list_options(task)}
 
 
 def _default(leaf: Any) -> Any:
@@ -84,7 +84,7 @@ def _default(leaf: Any) -> Any:
 
 
 def _put(obj: Any, task: str, options: Mapping[str, Any], work_zero: Any) -> None:
-    for _, leaf in properties.shown_options(task):
+    for _, leaf in properties.list_options(task):
         if leaf.metadata["kind"] != "cutter" and leaf.name not in options:
             name = property_name(leaf.name)
             if leaf.metadata["kind"] == "point":

@@ -20,8 +20,8 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import selection
-from .convert import facets_of, moved_to_zero
-from .tessellation import ANGULAR, LINEAR, meshed
+from .convert import facets_of, move_to_zero
+from .tessellation import ANGULAR, LINEAR, mesh_base
 
 DIGITS = 9
 """Of an area or a volume: a document that is opened again has the last ones different."""
@@ -59,22 +59,22 @@ class Part(NamedTuple):
         shape = selection.solids(self.base)[0]
         return hashlib.sha256(self.seen.checksum_of(shape) + _text(self.zero).encode()).digest()
 
-    def meshed(self, progress: Progress) -> Part:
+    def mesh(self, progress: Progress) -> Part:
         """Return the same with its surface as a binary STL. Raises FiveAxisError."""
         return self._replace(stl=self._stl(progress))
 
     def _stl(self, progress: Progress) -> bytes:
         if selection.is_mesh(self.base):
             return facets_of(self.base, self.zero).stl()
-        mesh = meshed(self.base, (), LINEAR, ANGULAR, progress)[0]
-        mesh.Placement = moved_to_zero(mesh.Placement, self.zero)
+        mesh = mesh_base(self.base, (), LINEAR, ANGULAR, progress)[0]
+        mesh.Placement = move_to_zero(mesh.Placement, self.zero)
         with tempfile.TemporaryDirectory() as folder:  # FreeCAD 0.20 writes nothing into a stream
             path = os.path.join(folder, "part.stl")
             mesh.write(path)
             return read_bytes(path, "part")
 
 
-def checked(doc: Any, part: Any) -> Any:
+def check_part(doc: Any, part: Any) -> Any:
     """Return the part, or None where none is given. Raises SelectionError for what is neither solid nor mesh
     of the document."""
     if part is None:
@@ -95,7 +95,7 @@ def checked(doc: Any, part: Any) -> Any:
     return part
 
 
-def held_parts(
+def find_held_parts(
     fixtures: Sequence[Any], zero: tuple[float, float, float], seen: dict[str, Seen]
 ) -> tuple[Part, ...]:
     """Give objects that hold a part relative to ``zero`` (mm, document); ``seen``: what is remembered of

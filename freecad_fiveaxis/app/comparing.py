@@ -60,7 +60,7 @@ def compare(
 
     def work(progress: Progress) -> trials.Comparison:
         mesh, faces = whole.mesh_and_mask(progress)
-        return trials.try_machines(settings, progress, mesh, faces, executor, whole.held(progress))
+        return trials.try_machines(settings, progress, mesh, faces, executor, whole.mesh_fixtures(progress))
 
     with listening(progress) as listener, processes() as executor:
         whole = task.with_fixtures_meshed(listener)

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.pipeline.option_values import read_option
 from freecad_fiveaxis.core.pipeline.settings import AUDIT, Settings, build_settings, with_current_names
-from freecad_fiveaxis.core.report import Figures, judged_largest, summary, verdict
+from freecad_fiveaxis.core.report import Figures, find_largest_judged, summary, verdict
 from freecad_fiveaxis.core.tool import SIZES, Cutter, parse_cutter, sizes_text
 from freecad_fiveaxis.core.tool.body import Body, body_of
 
@@ -38,9 +38,9 @@ from .properties import (
     RESULTS,
     cutter_values,
     default_value,
+    list_options,
     property_name,
     property_value,
-    shown_options,
 )
 from .selection import empty, holder_of
 
@@ -75,7 +75,7 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
     """Return the options of the task that differ from their defaults, as a job file would hold them (mm, deg,
     mm/min). Those whose default hangs on others are always given: the property says what is cut."""
     options: dict[str, Any] = {}
-    for _, leaf in shown_options(task):
+    for _, leaf in list_options(task):
         kind = leaf.metadata["kind"]
         if kind == "cutter":
             options |= _cutter_option(obj, task, leaf)
@@ -91,11 +91,11 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
     return options
 
 
-def given_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
+def convert_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return the options that an object with these would ask for: a field that shows a property's default
     asks for nothing. Raises SettingsError."""
     given = with_current_names(options)
-    for _, leaf in shown_options(task):
+    for _, leaf in list_options(task):
         name, kind = leaf.name, leaf.metadata["kind"]
         if given.get(name) is None or name in CHOSEN or kind in ("cutter", "point"):
             continue
@@ -143,7 +143,7 @@ def plain(value: Any) -> Any:
 
 def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     """Set the properties from options as people write them. Raises SettingsError, and then has set none."""
-    fields, options = {leaf.name: leaf for _, leaf in shown_options(task)}, with_current_names(options)
+    fields, options = {leaf.name: leaf for _, leaf in list_options(task)}, with_current_names(options)
     for name in options:
         if name not in fields:
             raise SettingsError(
@@ -203,14 +203,14 @@ def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
 def facets_of(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> Facets:
     """Return the mesh object's facets, relative to ``work_zero`` (mm, document). Raises SelectionError."""
     place, holder = obj.getLinkedObject().Placement, holder_of(obj)
-    place = moved_to_zero(place if holder.isIdentity() else holder.multiply(place), work_zero)
+    place = move_to_zero(place if holder.isIdentity() else holder.multiply(place), work_zero)
     facets = Facets(kernel_of(obj), tuple(place.Matrix.A))
     if not facets.facet_count:
         raise empty(obj.Label)
     return facets
 
 
-def moved_to_zero(place: Any, work_zero: Sequence[float]) -> Any:
+def move_to_zero(place: Any, work_zero: Sequence[float]) -> Any:
     """Return a placement in the document, relative to ``work_zero`` (mm, document)."""
     zero = FreeCAD.Vector(*plain(tuple(work_zero)))
     return FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(place) if zero.Length else place
@@ -252,10 +252,10 @@ def facet_mask(stl: bytes, mesh: Mesh, runs: Sequence[int]) -> Bools | None:
         chosen[start:stop] = True
     if len(corner) == len(mesh.face):
         return chosen
-    return chosen[_kept(_signature(corner.astype(float) + 0.0), _signature(mesh.vertex[mesh.face]))]
+    return chosen[_find_kept(_signature(corner.astype(float) + 0.0), _signature(mesh.vertex[mesh.face]))]
 
 
-def _kept(before: Any, after: Any) -> Ints:
+def _find_kept(before: Any, after: Any) -> Ints:
     return np.flatnonzero(np.isin(before, after))
 
 
@@ -273,7 +273,7 @@ def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     """Show the figures in the result properties."""
     numbers = summary(figures)
     whole = verdict(figures, numbers)
-    surface, proven_below = judged_largest(numbers)
+    surface, proven_below = find_largest_judged(numbers)
     values = {
         "Passes": numbers["passes"], "Blocks": numbers["blocks"],
         "SingularBlocks": numbers["singular_blocks"],

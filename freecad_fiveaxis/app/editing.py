@@ -28,7 +28,7 @@ def open_draft(machine: Any) -> MachineDraft:
     return read_draft(os.fspath(machine))
 
 
-def known_names() -> frozenset[str]:
+def list_known_names() -> frozenset[str]:
     """Return what the machines of the lists are called."""
     return frozenset(choice.label for choice in machines.choices())
 

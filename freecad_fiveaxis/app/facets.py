@@ -52,7 +52,7 @@ class Facets(NamedTuple):
         """Return the facets as a binary STL."""
         corner, face = self._columns()
         records = np.zeros(len(face), STL)
-        records["corner"] = _moved(corner, self.matrix)[face]
+        records["corner"] = _move_corners(corner, self.matrix)[face]
         records["normal"] = _normals(records["corner"])
         return _TITLE + len(face).to_bytes(4, "little") + records.tobytes()
 
@@ -73,7 +73,7 @@ class Facets(NamedTuple):
         return corner.reshape(-1, 3), rows.reshape(-1, 6)[:, :3]
 
 
-def _moved(corner: Floats, matrix: tuple[float, ...]) -> Floats:
+def _move_corners(corner: Floats, matrix: tuple[float, ...]) -> Floats:
     """Corners where the matrix puts them: in FreeCAD's order of operations, and rounded as there."""
     x, y, z = corner.astype(float).T
     rows = np.reshape(matrix, (4, 4))[:3]

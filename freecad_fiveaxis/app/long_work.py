@@ -81,7 +81,7 @@ def run(work: Callable[[Progress], T], listener: Progress | None = None, doc: An
     with listening(listener) as current:
         if not hasattr(current, "pump") or not _is_main():
             return work(current)
-        return _followed(Worker(work), current, doc)
+        return _follow_worker(Worker(work), current, doc)
 
 
 def is_open(doc: Any) -> bool:
@@ -114,7 +114,7 @@ def _is_main() -> bool:
     return threading.current_thread() is threading.main_thread()
 
 
-def _followed(worker: Worker[T], listener: Any, doc: Any) -> T:
+def _follow_worker(worker: Worker[T], listener: Any, doc: Any) -> T:
     """Return the worker's result. Meanwhile the listener hears all news and handles the window's events."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(TURN)

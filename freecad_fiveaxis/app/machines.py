@@ -18,7 +18,7 @@ from pathlib import Path
 from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError
 from freecad_fiveaxis.core.base.files import plain_name
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
 
 from . import preferences, wording
 
@@ -42,7 +42,7 @@ class Choice:
 def choices() -> list[Choice]:
     """Every machine there is: shipped, then the user's, then FreeCAD's; each file once, in the order of the
     names."""
-    found, seen = [_choice(name, SHIPPED) for name in shipped_machines()], set()
+    found, seen = [_choice(name, SHIPPED) for name in list_shipped_machines()], set()
     for source, folder in ((USER, user_folder()), *((FREECAD, folder) for folder in freecad_folders())):
         for path in _files(folder):
             if path.resolve() not in seen:

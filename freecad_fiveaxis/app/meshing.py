@@ -41,25 +41,27 @@ WAIT = 0.05
 """s between two looks at the process."""
 
 
-def meshed(shape: Any, linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]] | None:
+def mesh_shape(shape: Any, linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]] | None:
     """Return the mesh of the solids of a shape and the number of facets of each face; None where the shape is
     invalid.
 
     ``linear`` mm, ``angular`` rad. Raises Cancelled where the listener stops it.
     """
-    program = command() if hasattr(progress, "pump") and expected(shape, linear, angular) > QUICK else ""
+    program = (
+        command() if hasattr(progress, "pump") and estimate_facets(shape, linear, angular) > QUICK else ""
+    )
     found = _beside(program, shape, linear, angular, progress) if program else ()
     return mesher.solid_mesh(shape, linear, angular) if found == () else found  # type: ignore[return-value]
 
 
-def expected(shape: Any, linear: float, angular: float) -> float:
+def estimate_facets(shape: Any, linear: float, angular: float) -> float:
     """About how many facets the mesh will have, those that take longer counted more than once; infinite for
     very many faces."""
     faces = shape.Faces
-    return math.inf if len(faces) > MANY else sum(_expected(face, linear, angular) for face in faces)
+    return math.inf if len(faces) > MANY else sum(_estimate_face(face, linear, angular) for face in faces)
 
 
-def _expected(face: Any, linear: float, angular: float) -> float:
+def _estimate_face(face: Any, linear: float, angular: float) -> float:
     """Return a flat face with many holes takes time by the square of its corners."""
     corners = float(len(face.Edges))
     if face.Surface.TypeId == "Part::GeomPlane":
@@ -79,12 +81,12 @@ def command() -> str:
 
 
 def _beside(program: str, shape: Any, linear: float, angular: float, progress: Progress) -> Any:
-    """As :func:`meshed`, by a process; an empty tuple where it fails."""
+    """As :func:`mesh_shape`, by a process; an empty tuple where it fails."""
     with tempfile.TemporaryDirectory() as folder:
         shape.exportBinary(os.path.join(folder, mesher.SHAPE))
         with open(os.path.join(folder, mesher.TASK), "w", encoding="ascii") as file:
             json.dump({"linear": linear, "angular": angular}, file)
-        run(lambda progress: _waited(program, folder, progress), progress)
+        run(lambda progress: _wait_for(program, folder, progress), progress)
         return _read(folder)
 
 
@@ -102,7 +104,7 @@ def _read(folder: str) -> Any:
     return mesh, counts
 
 
-def _waited(program: str, folder: str, progress: Progress) -> None:
+def _wait_for(program: str, folder: str, progress: Progress) -> None:
     """Run the process to its end; whatever is raised meanwhile ends it. It is a new user's: no other add-on
     is loaded."""
     environment = {

@@ -45,10 +45,10 @@ def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
         if settings.get("avoid"):
             raise tessellation.no_names(mesh)
         return Part(mesh)
-    base, faces = tessellation.chosen(mesh)
+    base, faces = tessellation.find_base_and_faces(mesh)
     avoid, linear = settings.get("avoid"), settings.get("linear_deflection")
     return Part(
-        base, faces, tessellation.avoided(mesh) if avoid is None else tuple(avoid),
+        base, faces, tessellation.name_avoided(mesh) if avoid is None else tuple(avoid),
         mesh.LinearDeflection.Value if linear is None else linear,
         settings.get("angular_deflection") or mesh.AngularDeflection.Value, mesh,
     )  # fmt: skip
@@ -57,7 +57,7 @@ def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
 def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[float]) -> preview.Preview:
     """Return the passes of the ``options`` on a part, about the ``work_zero`` (mm, document). Raises
     FiveAxisError, Cancelled."""
-    options = toolpath.with_strategies(convert.given_options(MILL, options))
+    options = toolpath.with_strategies(convert.convert_options(MILL, options))
     settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", options)
     with listening() as listener:
         facets, runs, off = _find_facets(part, work_zero, settings, listener)
@@ -80,10 +80,10 @@ def _find_facets(
     if part.base is not None and selection.is_mesh(part.base) and not (part.faces or part.avoid):
         return convert.facets_of(part.base, work_zero).stl, *results.runs_of(part.base, settings)
     progress("tessellate", 0.0)
-    mesh, runs, off = tessellation.meshed(
+    mesh, runs, off = tessellation.mesh_base(
         part.base, part.faces, part.linear, part.angular, progress, part.avoid
     )
-    mesh.Placement = convert.moved_to_zero(mesh.Placement, work_zero)
+    mesh.Placement = convert.move_to_zero(mesh.Placement, work_zero)
     with tempfile.TemporaryDirectory() as folder:  # FreeCAD 0.20 writes nothing into a stream
         path = os.path.join(folder, "part.stl")
         mesh.write(path)
@@ -96,5 +96,5 @@ def _is_meshed(part: Part) -> bool:
     mesh = part.mesh
     if mesh is None or mesh.State != ["Up-to-date"] or mesh.MadeOf != tessellation.hash_inputs(mesh):
         return False
-    known = (mesh.LinearDeflection.Value, mesh.AngularDeflection.Value, tessellation.avoided(mesh))
+    known = (mesh.LinearDeflection.Value, mesh.AngularDeflection.Value, tessellation.name_avoided(mesh))
     return known == (part.linear, part.angular, tuple(part.avoid))

@@ -179,7 +179,7 @@ def property_name(option: str) -> str:
     return "".join(part[:1].upper() + part[1:] for part in option.split("_"))
 
 
-def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
+def list_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
     """Group and field of every option of the task that has properties and fields of its own: all but the
     files to write and the file of faces, which are selected instead."""
     for cls, leaf in option_fields(task):
@@ -190,7 +190,7 @@ def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
 @cache
 def setting_properties(task: str) -> tuple[Property, ...]:
     """Return a property for every option of the task that is not a file to write."""
-    return tuple(one for cls, leaf in shown_options(task) for one in _of_option(group_of(cls, leaf), leaf))
+    return tuple(one for cls, leaf in list_options(task) for one in _of_option(group_of(cls, leaf), leaf))
 
 
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
@@ -244,7 +244,7 @@ def show_sizes(obj: Any) -> None:
             obj.setEditorMode(name, [] if size in has else ["Hidden"])
 
 
-def drawn_tool(task: str = "") -> tuple[Property, ...]:
+def list_drawn_tool(task: str = "") -> tuple[Property, ...]:
     """Shank and holder, as those of ``mill``, as far as they are no settings of the task but only drawn."""
     own = {one.name for one in setting_properties(task)} if task else set()
     return tuple(one for one in setting_properties(MILL) if one.name in {"Shank", "Holder"} - own)

@@ -21,7 +21,7 @@ TAKEN = ("machine", "controller", "origin", "tool_length", "cutter", "shank", "h
 """Options of a tool path that are those of the audit of its program."""
 
 
-def proposed(doc: Any, chosen: Collection[Any] = ()) -> dict[str, Any]:
+def propose_values(doc: Any, chosen: Collection[Any] = ()) -> dict[str, Any]:
     """Values of a form: those of the file that is ``chosen`` or that a chosen tool path wrote, else of the
     document's newest.
 
@@ -39,7 +39,7 @@ def proposed(doc: Any, chosen: Collection[Any] = ()) -> dict[str, Any]:
 
 def values_of(path: Any) -> dict[str, Any]:
     """Return what a tool path says of its program, its part and what holds that among it."""
-    options = changes.shown_options(path, MILL)
+    options = changes.read_options(path, MILL)
     own = {"work_zero": tuple(path.WorkZero), "part": part_of(path), "fixtures": list(path.Fixtures)}
     return {name: options[name] for name in TAKEN} | own
 

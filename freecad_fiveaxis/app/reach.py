@@ -43,7 +43,7 @@ from .arguments import names
 from .job_setup import DEFAULT_MACHINE
 from .long_work import listening, run, take_back
 from .plain_errors import hide_trace
-from .properties import Property, setting_properties, shown_options
+from .properties import Property, list_options, setting_properties
 from .reach_properties import ANY_ANGLE, PROPERTIES
 from .schema import Proxy
 from .selection import SelectionError
@@ -120,28 +120,28 @@ class ReachMap(Proxy):
         most = math.radians(convert.plain(obj.LargestAxisAngle))
         settings = replace(settings, passes=replace(settings.passes, max_axis_angle=most))
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
-        solids = compared.held_parts(check_fixtures(obj), zero, self.seen)
+        solids = compared.find_held_parts(check_fixtures(obj), zero, self.seen)
         return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
     @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         obj.UpToDate = False
-        _show(obj, found_of(obj))
+        _show(obj, find_map(obj))
 
 
 def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
     """See :func:`freecad_fiveaxis.app.reach_map`. ``obj``: a map that is there already and gets these
     settings."""
     if obj is None and isinstance(getattr(base, "Proxy", None), Toolpath):
-        settings, base = taken_over(base) | dict(settings), base.Mesh
+        settings, base = take_over(base) | dict(settings), base.Mesh
     options = {name: value for name, value in settings.items() if name not in OWN and value is not None}
     options.setdefault("machine", DEFAULT_MACHINE)
     build_settings(REACH, "part.stl", options)
     load_machine(options["machine"])
     own = _own(settings)
     doc, added = _document(base if obj is None else obj), list[Any]()
-    fixtures = [compared.checked(doc, one) for one in settings.get("fixtures") or ()]
+    fixtures = [compared.check_part(doc, one) for one in settings.get("fixtures") or ()]
     try:
         if obj is None:
             mesh = _mesh_of(base, settings, added)
@@ -150,7 +150,7 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
             ReachMap(obj)
             obj.Label, obj.Mesh = "Reach map", mesh
         _put(obj, options, own | {"Fixtures": fixtures})
-        found_of(obj)  # errors reach the caller; the recompute then finds the work done
+        find_map(obj)  # errors reach the caller; the recompute then finds the work done
         obj.touch()
         doc.recompute([obj])
     except BaseException:
@@ -213,9 +213,9 @@ def _put(obj: Any, options: Mapping[str, Any], own: Mapping[str, Any]) -> None:
         setattr(obj, name, value)
 
 
-def taken_over(path: Any) -> dict[str, Any]:
+def take_over(path: Any) -> dict[str, Any]:
     """Return what a Toolpath says of machine, tool and part, as :func:`reach_map` takes it."""
-    options, known = convert.options_of(path, "mill"), {leaf.name for _, leaf in shown_options(REACH)}
+    options, known = convert.options_of(path, "mill"), {leaf.name for _, leaf in list_options(REACH)}
     angle = (
         {"largest_axis_angle": path.MaxAxisAngle.Value}
         if path.ToolAxis == "auto" and path.MaxAxisAngle.Value
@@ -239,7 +239,7 @@ def settings_of(obj: Any) -> dict[str, Any]:
     return convert.options_of(obj, REACH) | {"machine": obj.Machine} | own
 
 
-def found_of(obj: Any, progress: Progress | None = None) -> Last:
+def find_map(obj: Any, progress: Progress | None = None) -> Last:
     """Return the core's map, computed anew only where something has changed.
 
     Raises FiveAxisError for what cannot be used, Cancelled where the listener stops the work.
@@ -251,13 +251,15 @@ def found_of(obj: Any, progress: Progress | None = None) -> Last:
             whole = task.with_fixtures_meshed(listener)
             with processes(WORTH) as executor:
                 obj.Proxy.last = run(
-                    lambda progress: _found(whole, fingerprint, progress, executor), listener, obj.Document
+                    lambda progress: _compute_map(whole, fingerprint, progress, executor),
+                    listener,
+                    obj.Document,
                 )
     last: Last = obj.Proxy.last
     return last
 
 
-def _found(task: results.Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
+def _compute_map(task: results.Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
     mesh, faces = task.mesh_and_mask(progress)
     fixtures = [
         Fixture(f"fixture {k}", convert.mesh_of(one.stl, progress)) for k, one in enumerate(task.fixtures)
@@ -268,7 +270,7 @@ def _found(task: results.Task, fingerprint: str, progress: Progress, executor: E
     return Last(fingerprint, mesh, trial, smaller)
 
 
-def chosen_facets(found: Last) -> Bools:
+def find_chosen_facets(found: Last) -> Bools:
     """Return the facets (f,) that the map covers."""
     mask = np.zeros(len(found.mesh.face), np.bool_)
     mask[found.chart.facet] = True
@@ -286,11 +288,11 @@ def stick_out(chart: Chart) -> tuple[float, float]:
     zeros: no help."""
     if not chart.longer:
         return 0.0, 0.0
-    held = held_area(chart)
+    held = compute_held_area(chart)
     return next((one for one in chart.longer if one[1] >= ENOUGH * held), chart.longer[-1])
 
 
-def held_area(chart: Chart) -> float:
+def compute_held_area(chart: Chart) -> float:
     """mm2 where holder or machine are in the way, and a tool that sticks out farther may help."""
     return chart.area_of(Obstacle.HOLDER) + chart.area_of(Obstacle.MACHINE)
 
@@ -305,7 +307,7 @@ def advice(found: Last) -> list[Sentence]:
     """Return what would help where the holder is in the way, and where the cutter is too large: a sentence
     each."""
     chart = found.chart
-    held, (step, area) = held_area(chart), stick_out(chart)
+    held, (step, area) = compute_held_area(chart), stick_out(chart)
     by_machine = chart.area_of(Obstacle.MACHINE) > 0.0
     sentences = []
     if by_machine and step > 0.0:

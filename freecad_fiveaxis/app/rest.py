@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from typing import Any, cast
 
 from freecad_fiveaxis.core.base.progress import Progress
-from freecad_fiveaxis.core.base.sentences import Area, Length, joined, say
+from freecad_fiveaxis.core.base.sentences import Area, Length, join_sentences, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import RestMaterial
 from freecad_fiveaxis.core.pipeline import job
@@ -171,12 +171,14 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
     with listening(progress) as listener:
         figures, known = results.figures_of(obj.Path, listener), obj.Path.Proxy.last
         if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
-            obj.Proxy.last = run(lambda progress: _found(figures, known, progress), listener, obj.Document)
+            obj.Proxy.last = run(
+                lambda progress: _compute_heights(figures, known, progress), listener, obj.Document
+            )
     last: Heights = obj.Proxy.last
     return last
 
 
-def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
+def _compute_heights(figures: Figures, known: results.Last, progress: Progress) -> Heights:
     draft = cast(MilledProgram, known.result.draft)  # of a toolpath
     rest = figures.rest or job.rest_material_of(draft, progress)
     return Heights(
@@ -247,4 +249,6 @@ def verdict(found: Heights) -> str:
     if deep:
         most = Length(-float(rest.height.min()), ".4g")
         parts.append(say("{deep} are cut too deep, at most by {most}", deep=Area(deep, ".3g"), most=most))
-    return say("Of {whole} that are machined, {parts}.", whole=Area(whole, ".4g"), parts=joined(parts, "; "))
+    return say(
+        "Of {whole} that are machined, {parts}.", whole=Area(whole, ".4g"), parts=join_sentences(parts, "; ")
+    )

@@ -36,7 +36,7 @@ def _ours(doc: Any) -> list[Any]:
 
 
 def _is_current_mesh(obj: Any) -> bool:
-    base, _ = tessellation.chosen(obj)
+    base, _ = tessellation.find_base_and_faces(obj)
     if base is None or "Touched" in base.State or "Invalid" in base.State or not obj.MadeOf:
         return False
     try:

@@ -34,7 +34,7 @@ from .compared import Part
 from .convert import clear_result, mark_users, mesh_of, put_result
 from .facets import Facets
 from .long_work import listening, run
-from .properties import shown_options
+from .properties import list_options
 from .selection import SelectionError
 
 
@@ -60,9 +60,9 @@ class Task:
 
     def with_fixtures_meshed(self, progress: Progress) -> Task:
         """Return the same with the surfaces of its fixtures. Raises FiveAxisError."""
-        return replace(self, fixtures=tuple(one.meshed(progress) for one in self.fixtures))
+        return replace(self, fixtures=tuple(one.mesh(progress) for one in self.fixtures))
 
-    def held(self, progress: Progress) -> tuple[Fixture, ...]:
+    def mesh_fixtures(self, progress: Progress) -> tuple[Fixture, ...]:
         """Return the core's fixtures, once they are meshed. Raises MeshError."""
         names = self.settings.gouge.fixture
         solids = [convert.mesh_of(one.stl, progress) for one in self.fixtures]
@@ -104,7 +104,7 @@ def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ..
     """Checksums of the files that the settings name beside the source, but for the options ``unread``, whose
     content is at hand. Raises FileError for a file that cannot be read."""
     groups = {type(getattr(settings, top.name)): getattr(settings, top.name) for top in fields(Settings)}
-    leaves = [(cls, leaf) for cls, leaf in shown_options(settings.task) if leaf.metadata["kind"] == "path"]
+    leaves = [(cls, leaf) for cls, leaf in list_options(settings.task) if leaf.metadata["kind"] == "path"]
     named = [
         getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups and leaf.name not in unread
     ]
@@ -166,16 +166,16 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     fingerprint = task.fingerprint
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
         with listening(progress) as listener:
-            whole = replace(task, part=task.part.meshed(listener)) if task.part else task
+            whole = replace(task, part=task.part.mesh(listener)) if task.part else task
             whole = whole.with_fixtures_meshed(listener)
             proxy.last = run(
-                lambda progress: _computed(proxy, whole, fingerprint, progress), doc=obj.Document
+                lambda progress: _compute_result(proxy, whole, fingerprint, progress), doc=obj.Document
             )
     last: Last = proxy.last
     return last
 
 
-def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
+def _compute_result(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
     """Return the whole work of the core, or a new head alone where no more has changed; nothing of FreeCAD's
     is touched."""
     last, blocks = proxy.last, task.blocks_fingerprint
@@ -207,7 +207,7 @@ def execute(obj: Any) -> None:
     put_result(obj, last.figures, last.fingerprint)
 
 
-def judged_of(obj: Any) -> tuple[float, float]:
+def read_judged(obj: Any) -> tuple[float, float]:
     """Largest deviation of what makes the surface and its proven bound, mm, as the object shows them; the
     tip's where its document was last computed by a version that knew no others."""
     if obj.MaxSurfaceBound.Value > 0.0:

@@ -32,9 +32,9 @@ def scale_part(path: Any, factor: float) -> Any:
     if path.Mesh is None:
         raise toolpath.mesh_is_gone(path)
     mesh, doc = path.Mesh, path.Document
-    base, faces = tessellation.chosen(mesh) if hasattr(mesh, "LinearDeflection") else (mesh, ())
-    avoid = tessellation.avoided(mesh)
-    copy, names = _scaled(doc, base, (*faces, *avoid), factor)
+    base, faces = tessellation.find_base_and_faces(mesh) if hasattr(mesh, "LinearDeflection") else (mesh, ())
+    avoid = tessellation.name_avoided(mesh)
+    copy, names = _scale_copy(doc, base, (*faces, *avoid), factor)
     copy.Label = f"{base.Label} x {factor:g}"
     if base is mesh:
         path.Mesh = copy
@@ -48,11 +48,11 @@ def scale_part(path: Any, factor: float) -> Any:
     return copy
 
 
-def _scaled(doc: Any, base: Any, faces: tuple[str, ...], factor: float) -> tuple[Any, list[str]]:
+def _scale_copy(doc: Any, base: Any, faces: tuple[str, ...], factor: float) -> tuple[Any, list[str]]:
     """Return a copy of the base, and what its faces are called there: the copy is of the solids alone, in the
     document's coordinates."""
     if selection.is_mesh(base):
-        facets = selection.checked_mesh(base)
+        facets = selection.check_mesh(base)
         facets.Placement = selection.holder_of(base).multiply(facets.Placement)
         facets.transform(_matrix(factor) * facets.Placement.Matrix)
         facets.Placement = FreeCAD.Placement()

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.quantity import stack_text
 from freecad_fiveaxis.core.pipeline.settings import MILL
 
 from . import feed_per_minute
-from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, setting_properties, show_sizes
+from .properties import CUTTER, HIDDEN, Property, add_missing, list_drawn_tool, setting_properties, show_sizes
 
 SCHEMA = 5
 LABELS, DOUBLES = "User parameter:BaseApp/Preferences/Document", "DuplicateLabels"
@@ -168,7 +168,7 @@ def _from_3(obj: Any) -> None:
     old = [name for name in ("HolderDiameter", "HolderLength") if name in obj.PropertiesList]
     if len(old) < 2 or "Holder" in obj.PropertiesList:
         return
-    add_missing(obj, drawn_tool())
+    add_missing(obj, list_drawn_tool())
     diameter, length = (
         float(f"{getattr(obj, name).Value:.12g}") for name in old
     )  # files keep no more digits

@@ -72,7 +72,7 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
         solids(base)
         faces = tuple(last for name in names if _FACE.fullmatch(last := name.rsplit(".", 1)[-1]))
         return base, faces if len(faces) == len(names) else ()
-    checked_mesh(base)
+    check_mesh(base)
     return base, ()
 
 
@@ -151,7 +151,7 @@ def copy_of_mesh(obj: Any) -> Any:
     return mesh
 
 
-def checked_mesh(obj: Any) -> Any:
+def check_mesh(obj: Any) -> Any:
     """Return a copy of the mesh object's facets, to be changed at will. Raises SelectionError for a mesh
     without facets."""
     mesh = copy_of_mesh(obj)

@@ -290,15 +290,15 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
         with listening(progress) as listener, processes() as executor:
             whole = task.with_fixtures_meshed(listener)
             obj.Proxy.last = run(
-                lambda progress: _tried(whole, fingerprint, progress, executor), listener, obj.Document
+                lambda progress: _try_setups(whole, fingerprint, progress, executor), listener, obj.Document
             )
     last: Last = obj.Proxy.last
     return last.trial
 
 
-def _tried(task: Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
+def _try_setups(task: Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
     mesh, faces = task.mesh_and_mask(progress)
-    held = task.held(progress)
+    held = task.mesh_fixtures(progress)
     return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces, executor, held))
 
 
@@ -382,14 +382,14 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
     shift = FreeCAD.Vector(*obj.Path.WorkZero) - FreeCAD.Vector(*chart.base.origin)
     values = {
         "Recommended": FreeCAD.Vector(*chart.origin[best]), "RecommendedTurn": math.degrees(chart.turn[best]),
-        "DeviationBefore": _known(chart.max_deviation[0]),
-        "DeviationAfter": _known(chart.max_deviation[best]),
-        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]),
+        "DeviationBefore": _store_number(chart.max_deviation[0]),
+        "DeviationAfter": _store_number(chart.max_deviation[best]),
+        "TimeBefore": _store_number(chart.time[0]), "TimeAfter": _store_number(chart.time[best]),
         "Verdict": _verdict(obj, chart),
         "Findings": [wording.localize(finding.text) for finding in chart.findings],
         "Places": [FreeCAD.Vector(*chart.origin[row]) + shift for row, _ in marked],
         "Kinds": [kind for _, kind in marked],
-        "Deviations": [_known(chart.max_deviation[row]) for row, _ in marked],
+        "Deviations": [_store_number(chart.max_deviation[row]) for row, _ in marked],
         "Fingerprint": fingerprint, "UpToDate": True,
     }  # fmt: skip
     for name, value in values.items():
@@ -410,5 +410,5 @@ def _verdict(obj: Any, chart: Chart) -> str:
     return f"{text} {wording.localize(more)}" if divides_blocks(obj.Path) else text
 
 
-def _known(value: float) -> float:
+def _store_number(value: float) -> float:
     return float(value) if math.isfinite(value) else convert.UNKNOWN

@@ -89,13 +89,13 @@ class Tessellation(Proxy):
     def build(self, obj: Any) -> None:
         """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does
         no work again."""
-        (base, faces), doc = chosen(obj), obj.Document
+        (base, faces), doc = find_base_and_faces(obj), obj.Document
         with listening() as progress:
             progress("tessellate", 0.0)
             check_open(doc)
             _check_avoid(obj)
             deflections = obj.LinearDeflection.Value, obj.AngularDeflection.Value
-            mesh, runs, off = meshed(base, faces, *deflections, progress, avoided(obj))
+            mesh, runs, off = mesh_base(base, faces, *deflections, progress, name_avoided(obj))
             progress("tessellate", 1.0)
         check_open(doc)
         obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, hash_inputs(obj)
@@ -106,9 +106,9 @@ class Tessellation(Proxy):
         """Return the runs of the facets that are left alone, also where an earlier version has made the mesh
         and did not keep them: then from the same mesh made once more, which stays out of the document. Raises
         SelectionError where it is not the same."""
-        if obj.AvoidedRuns or not avoided(obj):
+        if obj.AvoidedRuns or not name_avoided(obj):
             return list(obj.AvoidedRuns)
-        inputs = chosen(obj)[1], avoided(obj), obj.MadeOf
+        inputs = find_base_and_faces(obj)[1], name_avoided(obj), obj.MadeOf
         if self._found is None or self._found[0] != inputs:
             self._found = inputs, _find_avoided(obj)
         return self._found[1]
@@ -129,10 +129,10 @@ class Tessellation(Proxy):
 def _find_avoided(obj: Any) -> list[int]:
     """Return the runs of the facets on the faces left alone, of the object's mesh made anew. Raises
     SelectionError for another mesh."""
-    base, faces = chosen(obj)
+    base, faces = find_base_and_faces(obj)
     with listening() as progress:
-        mesh, runs, off = meshed(
-            base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress, avoided(obj)
+        mesh, runs, off = mesh_base(
+            base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress, name_avoided(obj)
         )
     if mesh.CountFacets != obj.Mesh.CountFacets or runs != list(obj.FacetRuns):
         text = say(
@@ -147,7 +147,7 @@ def _find_avoided(obj: Any) -> list[int]:
 def hash_inputs(obj: Any) -> str:
     """Return a checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the
     deflections; empty without a base."""
-    base, faces = chosen(obj)
+    base, faces = find_base_and_faces(obj)
     if base is None:
         return ""
     shape: tuple[Any, ...]
@@ -165,11 +165,13 @@ def hash_inputs(obj: Any) -> str:
         obj.LinearDeflection.Value,
         obj.AngularDeflection.Value,
     ]
-    inputs += [avoided(obj)] if avoided(obj) else []  # documents that know of none keep their checksums
+    inputs += (
+        [name_avoided(obj)] if name_avoided(obj) else []
+    )  # documents that know of none keep their checksums
     return hashlib.sha256(repr(tuple(inputs)).encode()).hexdigest()
 
 
-def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
+def find_base_and_faces(obj: Any) -> tuple[Any, tuple[str, ...]]:
     """Return the base of a Tessellation and the names of its chosen faces."""
     if obj.Base is None:
         return None, ()
@@ -177,7 +179,7 @@ def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
     return base, tuple(name for name in names if name)
 
 
-def avoided(obj: Any) -> tuple[str, ...]:
+def name_avoided(obj: Any) -> tuple[str, ...]:
     """Return the names of the faces that a Tessellation leaves alone."""
     link = getattr(obj, "Avoid", None)
     return () if link is None else tuple(name for name in link[1] if name)
@@ -185,12 +187,12 @@ def avoided(obj: Any) -> tuple[str, ...]:
 
 def _is_of_base(obj: Any) -> bool:
     """Whether the faces left alone, if there are any, are the base's."""
-    return not avoided(obj) or (obj.Base is not None and obj.Avoid[0] is obj.Base[0])
+    return not name_avoided(obj) or (obj.Base is not None and obj.Avoid[0] is obj.Base[0])
 
 
 def _check_avoid(obj: Any) -> None:
     if obj.Base is not None and not _is_of_base(obj):
-        base, other, names = obj.Base[0].Label, obj.Avoid[0].Label, ", ".join(avoided(obj))
+        base, other, names = obj.Base[0].Label, obj.Avoid[0].Label, ", ".join(name_avoided(obj))
         text = say(
             "{names} to be left alone is of {other}: choose faces of {label}.",
             names=names,
@@ -203,13 +205,13 @@ def _check_avoid(obj: Any) -> None:
 def leave_alone(obj: Any, names: Sequence[str]) -> bool:
     """Have a Tessellation leave these faces of its base alone, and no others; whether that is a change. The
     mesh is not made."""
-    if tuple(names) == avoided(obj) and _is_of_base(obj):
+    if tuple(names) == name_avoided(obj) and _is_of_base(obj):
         return False
     obj.Avoid = (obj.Base[0], list(names)) if names else None
     return True
 
 
-def meshed(
+def mesh_base(
     base: Any,
     faces: Sequence[str],
     linear: float,
@@ -221,7 +223,7 @@ def meshed(
     is named, without those on faces to ``avoid``; no runs where all are; and the runs of those. ``linear``
     mm, ``angular`` deg. Raises FiveAxisError."""
     if base is not None and selection.is_mesh(base):
-        return _copied(base, faces, avoid), [], []
+        return _copy_mesh(base, faces, avoid), [], []
     if linear <= 0.0 or angular <= 0.0:
         raise SettingsError(
             say(
@@ -233,8 +235,8 @@ def meshed(
         )
     whole, rows = selection.solids(base, faces, avoid)
     off = sorted(set(rows[len(faces) :]))
-    rows = _milled(base.Label, rows, len(faces), avoid, len(whole.Faces))
-    found = meshing.meshed(whole, linear, math.radians(angular), progress)
+    rows = _find_milled(base.Label, rows, len(faces), avoid, len(whole.Faces))
+    found = meshing.mesh_shape(whole, linear, math.radians(angular), progress)
     if found is None:
         raise selection.invalid(base.Label)
     mesh, counts = found
@@ -253,7 +255,7 @@ def meshed(
     return mesh, runs, off
 
 
-def _milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], count: int) -> list[int]:
+def _find_milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], count: int) -> list[int]:
     """Return the faces, of ``count``, that are milled: the first ``chosen`` rows, all where there are none of
     these, without the others. None where all are. Raises SelectionError where nothing is left, which would be
     taken for all."""
@@ -268,7 +270,7 @@ def _milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], 
     return sorted(left) if rows else []
 
 
-def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
+def _copy_mesh(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
     if avoid:
         raise no_names(base)
     if faces:
@@ -276,7 +278,7 @@ def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
             say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label),
             base.Label,
         )
-    mesh = selection.checked_mesh(base)
+    mesh = selection.check_mesh(base)
     mesh.Placement = selection.holder_of(base).multiply(mesh.Placement)
     return mesh
 

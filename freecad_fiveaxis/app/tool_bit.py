@@ -70,7 +70,7 @@ def cutter_of_file(path: str | os.PathLike[str]) -> Cutter:
     """Return the cutter of a tool bit's file, mm. Raises FileError for a missing file, SettingsError for one
     of no use here."""
     name = Path(path).name
-    bit = _parsed(read_bytes(path, "tool bit"), name)
+    bit = _parse_bit(read_bytes(path, "tool bit"), name)
     sizes = bit.get("parameter")
     if not isinstance(sizes, dict):
         raise SettingsError(
@@ -113,7 +113,7 @@ def _job_tool(controller: Any) -> JobTool:
     )  # fmt: skip
 
 
-def _parsed(content: bytes, name: str) -> dict[str, Any]:
+def _parse_bit(content: bytes, name: str) -> dict[str, Any]:
     try:
         bit = json.loads(content.decode("utf-8-sig"))
     except (ValueError, RecursionError) as error:

@@ -77,13 +77,15 @@ class Toolpath(Proxy):
         )
         settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | named)
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
-        solids = compared.held_parts(fixtures, zero, self.seen)
+        solids = compared.find_held_parts(fixtures, zero, self.seen)
         return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
     def make_draft(self, task: results.Task, progress: Progress) -> ProgramDraft:
         """Return the program, not yet proven."""
         mesh, faces = task.mesh_and_mask(progress)
-        return job.make(task.settings, progress, mesh=mesh, faces=faces, fixtures=task.held(progress))
+        return job.make(
+            task.settings, progress, mesh=mesh, faces=faces, fixtures=task.mesh_fixtures(progress)
+        )
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Lock what its setup says."""
@@ -107,7 +109,7 @@ def check_fixtures(obj: Any, fixtures: Sequence[Any] | None = None) -> list[Any]
     and no mesh, and for the part itself."""
     part, given = getattr(obj.Mesh, "Base", None), list(obj.Fixtures if fixtures is None else fixtures)
     for one in given:
-        compared.checked(obj.Document, one)
+        compared.check_part(obj.Document, one)
         if one is obj.Mesh or (part and one is part[0]):
             text = say(
                 "{label} is the part that is milled: choose what holds it, or no fixture.", label=one.Label

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.base.sentences import (
     Turn,
     TurnRate,
     Volume,
-    formed,
+    format_number,
 )
 
 INCH = 25.4
@@ -58,7 +58,7 @@ def measure_text(measure: Measure) -> str:
     places = most + extra if decimals is None else min(decimals, most) + extra
     whole = measure.form == IN_FULL
     numbers = measure.between.join(
-        formed(value / factor, IN_FULL) if whole else number_text(value / factor, digits, places)
+        format_number(value / factor, IN_FULL) if whole else number_text(value / factor, digits, places)
         for value in measure.values
     )
     unit = NAMES.get(kind, "{}").format("in" if inch else "mm") if kind in DECIMALS else measure.unit

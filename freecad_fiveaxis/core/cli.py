@@ -65,44 +65,44 @@ SECOND = {"program": "PROGRAM.ngc"}
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
     if argv is not None:
-        return _answered(argv)
+        return _run_command(argv)
     try:  # a process of its own
         signals.watch(_complain_stopped)
         keep_freed_memory()
         if not sys.warnoptions:  # warnings are for developers; findings say what a user should know
             warnings.simplefilter("ignore")
-        return _answered(sys.argv[1:])
+        return _run_command(sys.argv[1:])
     except KeyboardInterrupt as stop:  # while the outcome was told
         return signals.exit_code(stop)
     finally:
         signals.unwatch()
 
 
-def _answered(argv: Sequence[str]) -> int:
+def _run_command(argv: Sequence[str]) -> int:
     """Return the exit code; what went wrong is told in one line."""
     written.clear()
     try:
         arguments = _parser().parse_args(_with_bare_options(_with_current_flags(argv)))
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled) as stop:
-        return _stopped(stop)
+        return _report_stop(stop)
     except FiveAxisError as error:
         _complain(f"fiveaxis: {error}")
         return UNUSABLE
     except Exception as fault:
         signal = (
-            signals.received()
+            signals.find_signal()
         )  # what a module that is being loaded makes of a signal may be an ImportError
         if signal is not None:
-            return _stopped(signal)
+            return _report_stop(signal)
         return (
             _without(fault)
             if isinstance(fault, ModuleNotFoundError) and fault.name in REQUIRED
-            else _failed(fault)
+            else _report_fault(fault)
         )
 
 
-def _stopped(stop: BaseException) -> int:
+def _report_stop(stop: BaseException) -> int:
     signals.tell(_complain_stopped)
     return signals.exit_code(stop)
 
@@ -121,7 +121,7 @@ def _without(missing: ModuleNotFoundError) -> int:
     return UNUSABLE
 
 
-def _failed(fault: Exception) -> int:
+def _report_fault(fault: Exception) -> int:
     """Return a fault of ours, in one line."""
     if os.environ.get(TRACEBACK):
         _show_error("".join(traceback.format_exception(fault)).rstrip())
@@ -435,9 +435,9 @@ def _import_machine(arguments: argparse.Namespace) -> int:
 
 
 def _machines(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.machine import load_machine, shipped_machines
+    from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
 
-    return _list((name, load_machine(name).description) for name in shipped_machines())
+    return _list((name, load_machine(name).description) for name in list_shipped_machines())
 
 
 def _controllers(arguments: argparse.Namespace) -> int:

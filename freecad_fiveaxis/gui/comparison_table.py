@@ -180,11 +180,11 @@ LEAST_OVER = 5e-4
 
 def _turning(row: Any, column: int) -> Cell:
     """Return the peak rate of a rotary axis; a dash where the machine has none."""
-    from freecad_fiveaxis.core.machine import fitted_columns
+    from freecad_fiveaxis.core.machine import find_physical_columns
 
     letter, rate = row.letters[column], row.peak_rate[column]
     return (
         Cell(f"{letter} {math.degrees(rate):.0f}°/min", rate)
-        if column in fitted_columns(row.letters)
+        if column in find_physical_columns(row.letters)
         else Cell("–")
     )

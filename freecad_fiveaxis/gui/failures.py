@@ -5,7 +5,7 @@ with its traceback in the report view. None vanishes.
 slot      a function of ours that Qt or FreeCAD calls: of a button, a field, a timer, an observer, a command.
 PySide hands an error of a slot that it calls to ``sys.excepthook``, on PySide2 and PySide6 alike: ``watch``
 listens there. FreeCAD catches those of the methods that it calls itself and prints them: they are
-``guarded``.
+wrapped by ``guard_slot``.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def _is_ours(trace: TracebackType | None) -> bool:
     return any(os.path.abspath(frame.filename).startswith(OURS) for frame in traceback.extract_tb(trace))
 
 
-def guarded(slot: Callable[..., Any], failed: Any = None) -> Callable[..., Any]:
+def guard_slot(slot: Callable[..., Any], failed: Any = None) -> Callable[..., Any]:
     """Return the slot for FreeCAD to call: an error is shown and printed, and ``failed`` is given back."""
 
     @functools.wraps(slot)
@@ -67,7 +67,7 @@ def guards(cls: type) -> type:
     """Class decorator for an observer: all its methods that FreeCAD calls are guarded."""
     for name, method in list(vars(cls).items()):
         if name.startswith("slot") or name.endswith("Selection"):
-            setattr(cls, name, guarded(method))
+            setattr(cls, name, guard_slot(method))
     return cls
 
 
@@ -81,7 +81,7 @@ def attend(panel: Any) -> None:
     _line[:] = [line]
     for name in ("accept", "reject"):
         if hasattr(panel, name):
-            setattr(panel, name, guarded(getattr(panel, name), False))
+            setattr(panel, name, guard_slot(getattr(panel, name), False))
 
 
 def show(error: BaseException) -> None:

@@ -115,7 +115,7 @@ class Panel:
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.verticalHeader().hide()
         self.table.horizontalHeader().setStretchLastSection(True)
-        self.table.itemSelectionChanged.connect(self._picked)
+        self.table.itemSelectionChanged.connect(self._on_pick)
         split = QtWidgets.QSplitter(QtCore.Qt.Vertical)
         split.addWidget(self.table)
         split.addWidget(self.text)
@@ -129,7 +129,7 @@ class Panel:
 
     def show_path(self, path: Any) -> None:
         """List the findings of a path whose result is there."""
-        from freecad_fiveaxis.core.report import listed
+        from freecad_fiveaxis.core.report import list_findings
 
         figures = path.Proxy.last.figures
         self.path, self.document = path, path.Document
@@ -138,7 +138,7 @@ class Panel:
         if figures is self.figures:
             return
         self.figures = figures
-        self.rows, self.row_of_marker = listed(figures)
+        self.rows, self.row_of_marker = list_findings(figures)
         self._fill()
         self.text.setHtml(_scope_page(figures, bool(self.rows)))
 
@@ -178,7 +178,7 @@ class Panel:
         self.table.resizeColumnsToContents()
         self.table.blockSignals(False)
 
-    def _picked(self) -> None:
+    def _on_pick(self) -> None:
         """Tell of the row that the user has picked, and go there."""
         chosen = self.table.selectionModel().selectedRows()
         if not chosen:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.app.results import judged_of, tells_of
+from freecad_fiveaxis.app.results import read_judged, tells_of
 
 from .scene import labels, nodes
 from .scene.marks import Marks, largest_colour
@@ -28,7 +28,9 @@ class MarkersPicture:
         view, kinds, path = self.vobj, list(self.obj.Kinds), self.obj.Path
         places = np.array([tuple(place) for place in self.obj.Places], float).reshape(-1, 3)
         good, bad = rgb(view.ColourGood), rgb(view.ColourBad)
-        deviation, tolerance = (judged_of(path)[0], path.Tolerance.Value) if path is not None else (0.0, 0.0)
+        deviation, tolerance = (
+            (read_judged(path)[0], path.Tolerance.Value) if path is not None else (0.0, 0.0)
+        )
         drawing = (
             getattr(getattr(path.ViewObject.Proxy, "picture", None), "drawing", None)
             if path is not None

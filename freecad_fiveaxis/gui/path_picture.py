@@ -117,12 +117,12 @@ class Picture:
         else:
             kinds = [mark.kind for mark in self.drawing.markers] if self.drawing is not None else []
             legend = words.legend_of(
-                self.obj.Label, self.figures, self._look(), warning, kinds, self._shown()
+                self.obj.Label, self.figures, self._look(), warning, kinds, self._list_shown()
             )
-        self.nodes.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
+        self.nodes.legend.show(legend.fold() if legend is not None and self.vobj.FoldLegend else legend)
         self.nodes.labels.show(self._labels())
 
-    def _shown(self) -> list[str]:
+    def _list_shown(self) -> list[str]:
         """Return the kinds of moves that are shown, for the legend."""
         return [name for name in words.MOVES if getattr(self.vobj, SWITCHES[name])]
 

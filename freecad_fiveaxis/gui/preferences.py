@@ -71,7 +71,7 @@ class Page:
         self.loadSettings()
 
     def _all_shown(self) -> dict[str, Any]:
-        return {key: self.shown(key) for key in preferences.DEFAULTS}
+        return {key: self.read_shown(key) for key in preferences.DEFAULTS}
 
     def show_value(self, key: str, value: Any) -> None:
         """Show a parameter's value."""
@@ -85,7 +85,7 @@ class Page:
             shown = QtGui.QColor(value >> 24 & 255, value >> 16 & 255, value >> 8 & 255) if packed else value
             self._widget(key).setProperty(self._property(key), shown)
 
-    def shown(self, key: str) -> Any:
+    def read_shown(self, key: str) -> Any:
         """Return the value that is shown for a parameter."""
         if key in self.choices:
             text = self._widget(key).currentText()

@@ -70,7 +70,7 @@ class ReachPicture:
             self.found, self.styled = found, False
             self.surface.removeAllChildren()
             if found is not None:
-                corner = patches(found.mesh, found.chart, reach.chosen_facets(found))
+                corner = patches(found.mesh, found.chart, reach.find_chosen_facets(found))
                 self.surface.addChild(reach_surface(corner, found.chart.obstacle))
         if self.vobj.ShowAxes and not self.styled:
             self._draw_axes()
@@ -79,7 +79,7 @@ class ReachPicture:
             reach.out_of_date(self.obj) if self.vobj.Visibility else ""
         )  # it hashes the mesh
         legend = self._legend() if self.vobj.ShowLegend and (self.found is not None or self.warned) else None
-        self.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
+        self.legend.show(legend.fold() if legend is not None and self.vobj.FoldLegend else legend)
 
     def _draw_axes(self) -> None:
         self.styled = True
@@ -97,7 +97,7 @@ class ReachPicture:
         if known is not None:
             self.failed = ""
         elif self.vobj.Visibility and not self.failed:
-            known, self.failed = find_for_drawing(self.obj, reach.found_of)
+            known, self.failed = find_for_drawing(self.obj, reach.find_map)
         return known
 
     def _legend(self) -> overlay.Legend:

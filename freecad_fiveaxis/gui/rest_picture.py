@@ -76,7 +76,7 @@ class RestPicture:
         legend = (
             self._legend() if self.vobj.ShowLegend and (self.heights is not None or self.warned) else None
         )
-        self.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
+        self.legend.show(legend.fold() if legend is not None and self.vobj.FoldLegend else legend)
 
     def _extremes(self, found: rest.Heights) -> list[Label]:
         """Return the labels: where the cut is deepest, and where most is left, if that is more than may

@@ -45,7 +45,7 @@ def has_path(*kinds: str) -> bool:
     return doc is not None and any(kind_of(obj) in kinds for obj in doc.findObjects("App::FeaturePython"))
 
 
-def selected_path(*kinds: str) -> Any:
+def find_selected_path(*kinds: str) -> Any:
     """Return the path of one of the kinds that is selected, or that what is selected belongs to; else the
     document's only one.
 
@@ -61,7 +61,7 @@ def selected_path(*kinds: str) -> Any:
     return next(iter(there.values())) if len(there) == 1 else None
 
 
-def selected_reach_map() -> Any:
+def find_selected_reach_map() -> Any:
     """Return the reach map that alone is selected, or None."""
     chosen = FreeCADGui.Selection.getSelection()
     return chosen[0] if len(chosen) == 1 and kind_of(chosen[0]) == REACH_MAP else None
@@ -91,7 +91,7 @@ def path_or_part() -> tuple[Any, tuple[Any, ...]]:
     """
     chosen = FreeCADGui.Selection.getSelection()
     if not chosen or any(_paths_of(obj, (TOOLPATH,)) for obj in chosen):
-        path = selected_path(TOOLPATH)
+        path = find_selected_path(TOOLPATH)
         if path is not None:
             return path, ()
     return None, part()

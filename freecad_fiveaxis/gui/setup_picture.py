@@ -46,7 +46,7 @@ class SetupPicture:
             [Label(places[kinds.index(setups.BEST)].tolist(), self._best(), nodes.WHITE)] if named else ()
         )
         legend = self._legend(scale, good, bad, len(rows)) if view.ShowLegend else None
-        self.legend.show(legend.folded() if legend is not None and view.FoldLegend else legend)
+        self.legend.show(legend.fold() if legend is not None and view.FoldLegend else legend)
 
     def _best(self) -> str:
         return translate("FiveAxis", "recommended: {deviation}").format(

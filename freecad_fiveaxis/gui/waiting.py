@@ -78,12 +78,12 @@ class Waiting:
         if time.monotonic() - self._moved > STILL:
             self.dialog.setMaximum(0)
         QtWidgets.QApplication.processEvents()
-        if self.dialog.wasCanceled() or self._clicked_in_recompute():
+        if self.dialog.wasCanceled() or self._is_cancel_clicked():
             from freecad_fiveaxis.core.base.errors import Cancelled
 
             raise Cancelled(translate("FiveAxis", "stopped by the user"))
 
-    def _clicked_in_recompute(self) -> bool:
+    def _is_cancel_clicked(self) -> bool:
         """Whether the mouse was pressed and let go over Cancel while FreeCAD keeps its events from all
         windows."""
         if not any(doc.Recomputing for doc in FreeCAD.listDocuments().values()):

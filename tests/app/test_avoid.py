@@ -148,14 +148,14 @@ def test_it_is_kept_in_the_file_changed_and_taken_back(doc, step, reopen, anew):
     path, step = again.getObject(name), again.getObject("Step")
     assert path.Mesh.Avoid == (step, [low]) and not results.out_of_date(path) and results.nc_of(path) == nc
     changes.change_toolpath(path, GIVEN)
-    assert tessellation.avoided(path.Mesh) == (low,), "what is not named stays"
+    assert tessellation.name_avoided(path.Mesh) == (low,), "what is not named stays"
     again.UndoMode = 1
     again.openTransaction("change")
     changes.change_toolpath(path, {**GIVEN, "avoid": [high]})
     again.commitTransaction()
-    assert tessellation.avoided(path.Mesh) == (high,) and results.nc_of(path) != nc
+    assert tessellation.name_avoided(path.Mesh) == (high,) and results.nc_of(path) != nc
     again.undo()
-    assert tessellation.avoided(path.Mesh) == (low,) and results.nc_of(path) == nc
+    assert tessellation.name_avoided(path.Mesh) == (low,) and results.nc_of(path) == nc
     changes.change_toolpath(path, {**GIVEN, "avoid": ()})
     assert path.Mesh.Avoid is None and not path.Mesh.FacetRuns and on(contacts(path), step, low)
     with pytest.raises(SelectionError, match="which of its faces"):
@@ -190,7 +190,7 @@ def test_a_face_that_is_gone_is_told_and_nothing_is_posted_without_it(doc, step,
         app.post_process(path, tmp_path / "a.ngc")
     assert not (tmp_path / "a.ngc").exists()
     with pytest.raises(SelectionError, match=gone):
-        changes.change_toolpath(path, {**GIVEN, "avoid": tessellation.avoided(path.Mesh)})
+        changes.change_toolpath(path, {**GIVEN, "avoid": tessellation.name_avoided(path.Mesh)})
     changes.change_toolpath(path, {**GIVEN, "avoid": []})
     assert not results.out_of_date(path) and app.post_process(path, tmp_path / "a.ngc").UpToDate
 

@@ -58,7 +58,7 @@ def test_a_map_of_what_is_reached_is_kept_and_one_of_other_places_is_not(
 ):
     monkeypatch.setattr(reach_map, "PLACES", 60)
     mesh = app.tessellate(ball, linear_deflection=0.3)
-    first, again = (reach.found_of(app.reach_map(mesh, **REACH)) for _ in range(2))
+    first, again = (reach.find_map(app.reach_map(mesh, **REACH)) for _ in range(2))
     assert computed == ["try_reach"] and first is again
     app.reach_map(mesh, **{**REACH, "cutter": "ball:6:30"})
     monkeypatch.setattr(reach_map, "PLACES", 80)

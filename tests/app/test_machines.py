@@ -10,7 +10,7 @@ import pytest
 
 from freecad_fiveaxis.app import machines, preferences
 from freecad_fiveaxis.app.machines import FREECAD, SHIPPED, USER, choices
-from freecad_fiveaxis.core.machine import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 
@@ -34,7 +34,7 @@ def of(source):
 
 
 def test_shipped_machines_come_by_name_and_all_load(folder):
-    assert [choice.machine for choice in of(SHIPPED)] == list(shipped_machines())
+    assert [choice.machine for choice in of(SHIPPED)] == list(list_shipped_machines())
     assert not [choice.error for choice in choices() if choice.source == SHIPPED and choice.error]
 
 
@@ -58,7 +58,7 @@ def test_a_broken_file_is_listed_with_its_error(folder, content):
 def test_a_folder_that_is_not_there_offers_nothing(folder):
     folder.rmdir()
     assert of(USER) == []
-    assert len(of(SHIPPED)) == len(shipped_machines())
+    assert len(of(SHIPPED)) == len(list_shipped_machines())
 
 
 def test_without_a_preference_the_folder_is_in_freecads_user_data(folder):

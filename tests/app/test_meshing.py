@@ -66,10 +66,10 @@ def scattered():
 @pytest.mark.parametrize("make", [lambda: rounded((1 / 3, 0, 0)), spline, pipe, inside_out, scattered])
 def test_the_mesh_of_the_process_is_the_same_to_the_last_bit(make, monkeypatch):
     shape = make()
-    here, counts = meshing.meshed(shape, 0.02, 0.2, lambda *told: None)
+    here, counts = meshing.mesh_shape(shape, 0.02, 0.2, lambda *told: None)
     monkeypatch.setattr(meshing, "QUICK", 0)
     monkeypatch.setattr(meshing.mesher, "solid_mesh", None)  # nothing is meshed here
-    beside, again = meshing.meshed(shape, 0.02, 0.2, Dialog())
+    beside, again = meshing.mesh_shape(shape, 0.02, 0.2, Dialog())
     assert again == counts and sum(counts) == here.CountFacets > 50
     (points, facets), (others, same) = here.Topology, beside.Topology
     assert facets == same and [tuple(point) for point in points] == [tuple(point) for point in others]
@@ -78,13 +78,13 @@ def test_the_mesh_of_the_process_is_the_same_to_the_last_bit(make, monkeypatch):
 
 def test_a_small_solid_is_meshed_here(monkeypatch):
     monkeypatch.setattr(meshing, "_beside", None)
-    assert meshing.meshed(Part.makeSphere(20), 0.05, 0.2, Dialog())[0].CountFacets > 500
+    assert meshing.mesh_shape(Part.makeSphere(20), 0.05, 0.2, Dialog())[0].CountFacets > 500
 
 
 def test_what_is_expected_is_about_what_is_made():
     for shape in (Part.makeSphere(20), Part.makeCylinder(5, 5), rounded((0, 0, 0)), Part.makeTorus(20, 5)):
-        made = meshing.meshed(shape, 0.02, 0.2, lambda *told: None)[0].CountFacets
-        assert 0.5 * made < meshing.expected(shape, 0.02, 0.2) < 20 * made
+        made = meshing.mesh_shape(shape, 0.02, 0.2, lambda *told: None)[0].CountFacets
+        assert 0.5 * made < meshing.estimate_facets(shape, 0.02, 0.2) < 20 * made
 
 
 def test_an_invalid_solid_is_refused_by_the_process_too(doc, monkeypatch):
@@ -110,7 +110,7 @@ def test_an_invalid_solid_is_refused_by_the_process_too(doc, monkeypatch):
 def test_where_the_process_fails_the_solid_is_meshed_here(monkeypatch):
     monkeypatch.setattr(meshing, "QUICK", 0)
     monkeypatch.setattr(meshing, "command", lambda: "/bin/false")
-    assert meshing.meshed(Part.makeSphere(5), 0.1, 0.2, Dialog())[0].isSolid()
+    assert meshing.mesh_shape(Part.makeSphere(5), 0.1, 0.2, Dialog())[0].isSolid()
 
 
 def test_esc_ends_the_process_and_leaves_nothing(doc, monkeypatch, tmp_path):

@@ -134,7 +134,7 @@ def test_an_axis_that_may_lean_less_reaches_less(slot):
     assert upright.ReachableArea.Value == 0.0 and upright.BeyondMachine.Value == pytest.approx(
         2 * 40.0 * 160.0
     )
-    found = reach.found_of(app.reach_map(mesh, **tool, largest_axis_angle=60))
+    found = reach.find_map(app.reach_map(mesh, **tool, largest_axis_angle=60))
     _, axis = reach.axis_field(found)
     assert len(axis) and (axis[:, 2] >= math.cos(math.radians(60.0)) - 1e-9).all()
     for wrong in (0, 200):
@@ -165,13 +165,13 @@ def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_asked(slot, 
         for name in ("Verdict", "Advice", "UpToDate", "Fingerprint", "LargestAxisAngle")
     }
     areas = {name: getattr(made, name).Value for name in reach.AREAS.values()}
-    places = reach.found_of(made).chart.obstacle
+    places = reach.find_map(made).chart.obstacle
     anew()
     made = reopen(slot.Document).ReachMap
     assert made.Proxy.last is None and {name: made.getPropertyByName(name) for name in kept} == kept
     assert {name: getattr(made, name).Value for name in areas} == pytest.approx(areas, rel=1e-12)
     assert reach.out_of_date(made) == ""
-    np.testing.assert_array_equal(reach.found_of(made).chart.obstacle, places)
+    np.testing.assert_array_equal(reach.find_map(made).chart.obstacle, places)
 
 
 def test_a_deleted_solid_and_a_deleted_mesh_are_told(doc, slot):
@@ -217,8 +217,8 @@ def test_what_cannot_be_leaves_nothing_behind(anew, doc, slot):
 def test_the_places_of_the_picture_are_those_of_the_map(slot):
     from freecad_fiveaxis.core.gouge.rest_material import surface_parts
 
-    found = reach.found_of(app.reach_map(floor(slot), **TOOL))
-    corner, _ = surface_parts(found.mesh, found.chart.spacing, reach.chosen_facets(found))
+    found = reach.find_map(app.reach_map(floor(slot), **TOOL))
+    corner, _ = surface_parts(found.mesh, found.chart.spacing, reach.find_chosen_facets(found))
     np.testing.assert_allclose(corner.mean(axis=1), found.chart.point)
     held = found.chart.point[found.chart.obstacle == Obstacle.HOLDER]
     assert np.isclose(held[:, 2], 10.0).all() and (np.abs(held[:, 0]) < 7.0 - 2.0).all()

@@ -53,7 +53,9 @@ def test_a_solid_in_metres_is_milled_a_thousand_times_as_large_where_it_stood(do
     copy = scale_part(path, 1000.0)
     np.testing.assert_allclose(corners(path), 1000.0 * before, rtol=1e-6)
     assert tuple(path.WorkZero) == pytest.approx((10.0, 0.0, 540.0)) and copy.Label == "Tiny x 1000"
-    assert tessellation.chosen(path.Mesh) == (copy, ("Face6",)) and len(path.Mesh.FacetRuns) == len(runs)
+    assert tessellation.find_base_and_faces(path.Mesh) == (copy, ("Face6",)) and len(
+        path.Mesh.FacetRuns
+    ) == len(runs)
     doc.recompute()
     assert not suspected(path) and path.Blocks > 20
     normal = results.result_of(path).draft.mesh.normal[results.result_of(path).draft.keep]

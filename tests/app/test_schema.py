@@ -99,13 +99,13 @@ def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen, anew):
 
 def test_until_it_is_computed_again_an_older_document_shows_the_tips_deviation(doc, ball, reopen):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
-    assert results.judged_of(path) == (path.MaxSurfaceDeviation.Value, path.MaxSurfaceBound.Value)
+    assert results.read_judged(path) == (path.MaxSurfaceDeviation.Value, path.MaxSurfaceBound.Value)
     tip = path.MaxSegmentDeviation.Value, path.MaxBound.Value
     assert path.removeProperty("MaxSurfaceDeviation") and path.removeProperty("MaxSurfaceBound")
     path = reopen(doc).Toolpath
-    assert path.MaxSurfaceDeviation == path.MaxSurfaceBound == 0 and results.judged_of(path) == pytest.approx(
-        tip
-    )
+    assert path.MaxSurfaceDeviation == path.MaxSurfaceBound == 0 and results.read_judged(
+        path
+    ) == pytest.approx(tip)
 
 
 def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen, anew):

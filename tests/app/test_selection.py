@@ -233,7 +233,7 @@ def test_the_property_of_a_mesh_is_never_read(doc, tmp_path):
         "the facets are the same, to the last bit"
     )
     assert signs.top_of([unread]) == mesh.Mesh.BoundBox.ZMax
-    assert tessellation._copied(unread, ()).CountFacets == mesh.Mesh.CountFacets
+    assert tessellation._copy_mesh(unread, ()).CountFacets == mesh.Mesh.CountFacets
 
 
 @pytest.mark.parametrize("turned", [False, True])

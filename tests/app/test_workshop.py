@@ -159,7 +159,7 @@ def test_a_name_that_no_file_can_have_is_made_one_and_none_is_taken_twice(folder
 
 def test_an_edited_machine_goes_to_the_user_s_folder_and_over_no_file(folder):
     draft = replace(editing.open_draft("trunnion_ac"), name="mine")
-    names = editing.known_names()
+    names = editing.list_known_names()
     machine, problems = editing.check(draft, names)
     assert machine is not None and not problems
     _, problems = editing.check(editing.open_draft("trunnion_ac"), names)

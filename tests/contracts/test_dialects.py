@@ -190,7 +190,7 @@ def test_no_title_becomes_an_instruction(dialect, title) -> None:
 def test_every_slot_of_the_templates_is_known_and_the_head_says_units_distance_and_feed_mode(dialect) -> None:
     lines = [*dialect.head, *dialect.tail, *dialect.high_speed[0], *dialect.high_speed[1]]
     lines += [
-        line for how in dialect.guides for line in (*dialect.guided(how).head, *dialect.guided(how).tail)
+        line for how in dialect.guides for line in (*dialect.guide_by(how).head, *dialect.guide_by(how).tail)
     ]
     used = {name for line in lines for _, name, _, _ in string.Formatter().parse(line) if name}
     assert used <= set(SLOTS) and {"title", "tool", "offset", "spindle", "coolant"} <= used
@@ -361,7 +361,7 @@ def test_the_high_speed_mode_is_switched_on_before_the_blocks_and_off_after_them
         write_nc(some_program(dialect, False), dialect, "part"), dialect
     )
     for how in dialect.guides:
-        head = fast.guided(how).head
+        head = fast.guide_by(how).head
         assert head.index(dialect.high_speed[0][0]) < head.index(dialect.guides[how].on[0])
 
 
@@ -369,9 +369,9 @@ def test_a_controller_without_a_high_speed_mode_or_without_rtcp_says_so() -> Non
     with pytest.raises(SettingsError, match=r"grbl has no high-speed mode"):
         DIALECTS["grbl"].fast()
     with pytest.raises(SettingsError, match=r"mach3 does not guide the tip"):
-        DIALECTS["mach3"].guided("angles")
+        DIALECTS["mach3"].guide_by("angles")
     with pytest.raises(SettingsError, match=r"haas has no RTCP by vectors; give angles"):
-        DIALECTS["haas"].guided("vectors")
+        DIALECTS["haas"].guide_by("vectors")
 
 
 GUIDED = [(dialect, how) for dialect in DIALECTS.values() for how in dialect.guides]
@@ -391,7 +391,7 @@ def posed(kinematics: Chain, words: np.ndarray) -> tuple[np.ndarray, np.ndarray]
 def test_every_guided_word_is_read_back_exactly_as_it_was_rounded(
     dialect, how, inverse_time, letters
 ) -> None:
-    kinematics, guided = machine(*letters), dialect.guided(how)
+    kinematics, guided = machine(*letters), dialect.guide_by(how)
     joints = some_joints(kinematics)
     program = build_program(joints, kinematics, guided, inverse_time)
     again = read_nc(write_nc(program, guided, "part", TOOL), kinematics, guided)
@@ -416,7 +416,7 @@ def test_every_guided_word_is_read_back_exactly_as_it_was_rounded(
 
 @EVERY_GUIDE
 def test_one_changed_digit_of_a_guided_program_is_seen(dialect, how) -> None:
-    guided = dialect.guided(how)
+    guided = dialect.guide_by(how)
     program = build_program(some_joints(LINKS), LINKS, guided, False)
     text = write_nc(program, guided, "part", TOOL)
     word = b" C" if how == "angles" else b" " + guided.guide.vector[1].encode()
@@ -444,7 +444,7 @@ def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machin
     joints = solve(path, kinematics, tip.min(axis=0), tip.max(axis=0), 5.0)
     told = {}
     for dialect, how in [(dialect, "") for dialect in DIALECTS.values()] + GUIDED:
-        dialect = dialect.guided(how) if how else dialect
+        dialect = dialect.guide_by(how) if how else dialect
         program = build_program(joints, kinematics, dialect, bool(dialect.inverse_time))
         again = read_nc(write_nc(program, dialect, "part", TOOL), kinematics, dialect)
         told[dialect.name, how] = posed(kinematics, again.words)
@@ -472,7 +472,7 @@ def turning(wrap: str) -> Chain:
 @pytest.mark.parametrize("how", ["", "angles"])
 def test_modulo_words_are_0_to_360_and_read_back_by_the_shorter_way(dialect, how) -> None:
     kinematics = turning("modulo")
-    dialect = dialect.guided(how) if how else dialect
+    dialect = dialect.guide_by(how) if how else dialect
     q = some_joints(kinematics, 400).q.copy()
     q[:, 3] += np.linspace(-40.0, 40.0, 400)  # many turns to and fro, in steps of 0.2 rad
     tip, axis = forward(kinematics, q)
@@ -537,7 +537,7 @@ def test_a_controller_that_takes_no_shorter_way_gets_unwound_words_and_a_warning
 def test_linuxcncs_interpreter_reads_the_guided_words_with_the_switches_remapped(
     inverse_time, tmp_path: Path
 ) -> None:
-    dialect = DIALECTS["linuxcnc"].guided("angles")
+    dialect = DIALECTS["linuxcnc"].guide_by("angles")
     program = build_program(some_joints(LINKS), LINKS, dialect, inverse_time)
     (tmp_path / "part.ngc").write_bytes(write_nc(program, dialect, "part", TOOL))
     for name in ("m428", "m429"):
@@ -580,7 +580,7 @@ PLANE = 777.0
 @pytest.mark.parametrize("by_tip", [False, True], ids=["over", "over-by-tip"])
 def test_a_safe_start_is_read_over_and_the_blocks_stay_what_they_are(dialect, how, start, by_tip) -> None:
     begun = with_start(dialect, start, by_tip)
-    begun = begun.guided(how) if how else begun
+    begun = begun.guide_by(how) if how else begun
     program = build_program(some_joints(LINKS), LINKS, begun, False)
     text = write_nc(program, begun, "part", TOOL, height=PLANE)
     again = read_nc(text, LINKS, begun)
@@ -608,7 +608,7 @@ def test_a_safe_start_retracts_turns_goes_over_and_only_then_guides_and_ends_wit
     dialect, how, start
 ) -> None:
     begun = with_start(dialect, start)
-    begun = begun.guided(how) if how else begun
+    begun = begun.guide_by(how) if how else begun
     turn, over = (f"{dialect.rapid} {{{slot}}}{dialect.rapid_end}" for slot in ("rotaries", "over"))
     if start.retract == BY_NOTHING:
         assert turn not in begun.head and over not in begun.head and begun.head.count("{cutter}") == 1

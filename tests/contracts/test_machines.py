@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.machine import load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, branch_of, chain, forward, inverse
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
@@ -21,7 +21,7 @@ machines = pytest.mark.parametrize("name", sorted(path.stem for path in machine_
 @machines
 def test_is_listed_under_its_own_name_with_a_description(name):
     machine = load_machine(name)
-    assert name in shipped_machines()
+    assert name in list_shipped_machines()
     assert machine.name == name
     assert machine.description and machine.controller
 

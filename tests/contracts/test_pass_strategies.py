@@ -499,14 +499,14 @@ def fan(slivers):
 def test_samples_of_passes_do_not_grow_with_the_slivers_at_a_tip(monkeypatch):
     """Each place near the tip is as far from all of them, so that a search of the nearest looks at every
     one."""
-    counts, thinned = [], scallop_passes._thinned
+    counts, thinned = [], scallop_passes._thin_points
 
     def counted(point, normal, step):
         made = thinned(point, normal, step)
         counts.append((len(point), len(made[0])))
         return made
 
-    monkeypatch.setattr(scallop_passes, "_thinned", counted)
+    monkeypatch.setattr(scallop_passes, "_thin_points", counted)
     for slivers in (400, 1600):
         passes(CONSTANT, fan(slivers))
     (few, few_left), (many, many_left) = counts
@@ -566,8 +566,8 @@ def test_facets_that_no_pass_touches_are_told():
     keep = np.ones(len(slope().face), bool)
     found = field_of(slope())
     near = slope().vertex[slope().face, 0].mean(axis=1) < 0.0
-    assert not CONSTANT.untouched(region(slope(), keep), OPTIONS, found, np.flatnonzero(keep))
-    (warning,) = CONSTANT.untouched(region(slope(), keep), OPTIONS, found, np.flatnonzero(near))
+    assert not CONSTANT.report_untouched(region(slope(), keep), OPTIONS, found, np.flatnonzero(keep))
+    (warning,) = CONSTANT.report_untouched(region(slope(), keep), OPTIONS, found, np.flatnonzero(near))
     assert warning.value == pytest.approx(slope().area[~near].sum(), rel=0.3)
 
 
@@ -582,7 +582,7 @@ def test_facets_between_two_passes_are_not_told():
     found = CONSTANT.field(where, OPTIONS)
     contact = cut(where, found, "zigzag")
     assert len(np.unique(contact.face)) < 0.8 * len(fine.face)
-    assert not CONSTANT.untouched(where, OPTIONS, found, contact.face)
+    assert not CONSTANT.report_untouched(where, OPTIONS, found, contact.face)
 
 
 def test_level_planes_say_what_they_leave():
@@ -592,7 +592,9 @@ def test_level_planes_say_what_they_leave():
     found = level.field(region(mesh, keep), OPTIONS)
     contact = cut(region(mesh, keep), found, "zigzag")
     (warning,) = [
-        one for one in level.untouched(region(mesh, keep), OPTIONS, found, contact.face) if one.unit == "mm2"
+        one
+        for one in level.report_untouched(region(mesh, keep), OPTIONS, found, contact.face)
+        if one.unit == "mm2"
     ]
     assert warning.value == pytest.approx(600.0) and warning.code == "side-not-machined"
 

@@ -153,7 +153,7 @@ def test_the_ends_have_no_pass_and_are_told_with_their_area():
     given = options()
     found = ROTARY.field(region(mesh), given)
     contact = cut(region(mesh), found, "zigzag")
-    told = {one.code: one for one in ROTARY.untouched(region(mesh), given, found, contact.face)}
+    told = {one.code: one for one in ROTARY.report_untouched(region(mesh), given, found, contact.face)}
     area = 96 * 25.0 * math.sin(2.0 * math.pi / 96)
     assert told["facets-across-axis"].value == pytest.approx(area, rel=1e-6) and set(told) == {
         "facets-across-axis"

@@ -54,9 +54,13 @@ def loky():
 
 
 @contextmanager
-def dask():
+def dask(gives_up_after=3):
+    """``gives_up_after``: so many deaths of workers with a task are survived; dask's own number is 3."""
     distributed = pytest.importorskip("distributed")
+    import dask
+
     with (
+        dask.config.set({"distributed.scheduler.allowed-failures": gives_up_after}),
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from five_kinds import KINDS, kinematics_of, random_blocks
 
-from freecad_fiveaxis.core.audit import check_limits, commanded_rates, feed_findings, rate_findings
+from freecad_fiveaxis.core.audit import check_limits, compute_commanded_rates, feed_findings, rate_findings
 from freecad_fiveaxis.core.audit.rates import DEGREES
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.controllers import find_dialect
@@ -136,7 +136,7 @@ def test_rates_and_tip_feed_are_those_of_dense_samples(kind):
     start, end = random_blocks(kinematics, 40, 5)
     for first, last in zip(start, end, strict=True):
         program = program_of(kinematics, np.stack([first, last]), 0.7)
-        rates = commanded_rates(kinematics, program)
+        rates = compute_commanded_rates(kinematics, program)
         u = np.linspace(0.0, 1.0, 20_001)[:, None]
         q = words_to_q(first + u * (last - first))
         per_minute = 20_000 * 60.0 / 0.7
@@ -151,7 +151,7 @@ def test_rates_and_tip_feed_are_those_of_dense_samples(kind):
 def test_the_chord_instead_of_the_path_would_be_noticed():
     kinematics = kinematics_of("table_table")
     words = np.array([[100.0, 0, 0, 0, 0], [100.0, 0, 0, 170.0, 0]])
-    rates = commanded_rates(kinematics, program_of(kinematics, words))
+    rates = compute_commanded_rates(kinematics, program_of(kinematics, words))
     chord = np.linalg.norm(np.diff(forward_tip(kinematics, words_to_q(words)), axis=0))
     assert rates.travel[1] > 1.3 * chord
 
@@ -167,7 +167,7 @@ def test_the_chord_instead_of_the_path_would_be_noticed():
 )
 def test_the_rate_is_that_of_the_dialects_f(controller, line, minutes):
     program = read(f"G21 G90\nG0 X0 Y0 Z0 A0 C0\n{line}\nM2\n", controller=controller)
-    rates = commanded_rates(kinematics_at(), program)
+    rates = compute_commanded_rates(kinematics_at(), program)
     np.testing.assert_allclose(
         rates.rate[1] * DEGREES, np.array([30.0 * ("X" in line), 0, 0, 40.0, 0]) / minutes, rtol=1e-9
     )
@@ -177,7 +177,7 @@ def test_blocks_that_ask_too_much_of_an_axis_are_named_with_the_worst():
     text = "G21 G90 G93\nG0 X0 Y0 Z0 A0 C0\nG1 X1 A10 F300\nG1 X2 A40 F300\nG1 X3 A41 F3500\nM2\n"
     kinematics = kinematics_at()
     program = read(text, kinematics)
-    rates = commanded_rates(kinematics, program)
+    rates = compute_commanded_rates(kinematics, program)
     np.testing.assert_allclose(rates.ratio, [0, 3000 / 3600, 9000 / 3600, 3500 / 3600], rtol=1e-9)
     (found,) = rate_findings(kinematics, program, rates)
     assert (found.code, found.severity, found.line, found.unit) == (
@@ -197,7 +197,8 @@ def test_a_block_at_exactly_its_rate_is_no_finding_and_one_a_hundredth_above_is(
     for feed, count in ((360.0, 0), (363.6, 1)):
         program = read(f"G21 G93\nG0 X0 Y0 Z0 A0 C0\nG1 A10 F{feed}\nM2\n")
         assert (
-            len(rate_findings(kinematics_at(), program, commanded_rates(kinematics_at(), program))) == count
+            len(rate_findings(kinematics_at(), program, compute_commanded_rates(kinematics_at(), program)))
+            == count
         )
 
 
@@ -207,7 +208,7 @@ def test_rapids_and_blocks_without_time_ask_for_nothing():
     program = program_of(
         kinematics, words, np.array([0.0, 1.0, 0.0, 1.0]), motion=np.array([3, 3, 0, 0], np.int8)
     )
-    rates = commanded_rates(kinematics, program)
+    rates = compute_commanded_rates(kinematics, program)
     assert (rates.ratio > 0).tolist() == [False, False, False, True]
     assert (rates.tip_feed > 0).tolist() == [False, False, False, True]
 
@@ -216,7 +217,7 @@ def test_a_feed_over_the_part_that_is_not_f_is_a_warning():
     text = "G21 G90 G94\nG0 X0 Y0 Z50 A0 C0\nG1 X10 F600\nG1 X10.5 A30 F600\nM2\n"
     kinematics = kinematics_at()
     program = read(text, kinematics)
-    rates = commanded_rates(kinematics, program)
+    rates = compute_commanded_rates(kinematics, program)
     (found,) = feed_findings(kinematics, program, rates)
     assert (found.code, found.severity, found.line, found.limit) == (
         "feed-over-part",
@@ -250,14 +251,14 @@ def test_under_inverse_time_the_median_is_the_measure():
 
 
 def even(kinematics, words, seconds):
-    return commanded_rates(kinematics, program_of(kinematics, words, seconds, 600.0, True))
+    return compute_commanded_rates(kinematics, program_of(kinematics, words, seconds, 600.0, True))
 
 
 def test_where_the_controller_guides_the_tip_it_goes_straight():
     text = "G21 G90 G94\nG0 X0 Y0 Z0 A0 C0\nM428\nG1 X10 Y0 Z0 A20 C30 F500\nM2\n"
     program = read(text)
     assert program.guided is not None and program.guided.on[-1]
-    rates = commanded_rates(kinematics_at(), program)
+    rates = compute_commanded_rates(kinematics_at(), program)
     assert rates.travel[-1] == pytest.approx(10.0) and rates.tip_feed[-1] == pytest.approx(500.0)
 
 

@@ -109,7 +109,7 @@ def test_the_nearest_segment_is_that_of_brute_force(seed):
     end = start + rng.normal(size=(60, 3)) * 10 ** rng.uniform(-3, 1.5, 60)[:, None]
     end[:5] = start[:5]
     lines, points = Segments(start, end), rng.normal(size=(300, 3)) * 25
-    found = search(points, lines.pieces(), lines.squared, nearest, 2)
+    found = search(points, lines.pieces(), lines.square_distances, nearest, 2)
     np.testing.assert_allclose(found[:, 0], to_segments(points, start, end), rtol=1e-9, atol=1e-9)
 
 
@@ -123,7 +123,7 @@ def test_the_nearest_facet_is_that_of_brute_force(seed):
     facets = Facets(corner.transpose(1, 0, 2), normal / np.linalg.norm(normal, axis=1)[:, None])
     pieces, points = facets.pieces(), rng.normal(size=(300, 3)) * 25
     brute = to_facets(points, corner)
-    found = search(points, pieces, facets.squared, facets.signed, 2)[:, 0]
+    found = search(points, pieces, facets.square_distances, facets.sign_distances, 2)[:, 0]
     np.testing.assert_allclose(np.abs(found), brute, rtol=1e-9, atol=1e-6)
     assert (pieces.clear_by(points) <= brute + 1e-9).all()
 
@@ -134,7 +134,7 @@ def test_far_places_may_be_rough_but_never_too_near():
     lines = Segments(start, start + rng.normal(size=(400, 3)))
     pieces, points = lines.pieces(), rng.normal(size=(300, 3)) * rng.choice((10, 400), (300, 1))
     brute = to_segments(points, lines.start, lines.end)
-    found = search(points, pieces, lines.squared, nearest, 2, 50.0)[:, 0]
+    found = search(points, pieces, lines.square_distances, nearest, 2, 50.0)[:, 0]
     assert (found >= brute - 1e-9).all() and (found <= 1.1 * brute).all()
     near = brute < 40.0 * pieces.reach
     assert near.any() and not near.all()
@@ -147,7 +147,7 @@ def test_fewer_pieces_than_are_proven_enough_would_be_noticed():
     point = np.array([[2.0, 0.5, 0.0]])
     middle = (lines.start + lines.end) / 2
     assert np.linalg.norm(middle - point, axis=1).argmin() == 1
-    assert search(point, lines.pieces(), lines.squared, nearest, 2)[0].tolist() == [0.5, 0.0]
+    assert search(point, lines.pieces(), lines.square_distances, nearest, 2)[0].tolist() == [0.5, 0.0]
 
 
 @pytest.mark.parametrize("shape", [box, sphere], ids=["box", "sphere"])
@@ -159,9 +159,13 @@ def test_inside_and_outside_are_told_apart_at_edges_and_corners(shape):
         [mesh.vertex, mesh.vertex[mesh.coedge_vertex].mean(axis=1), mesh.vertex[mesh.face].mean(axis=1)]
     )
     for factor, sign in ((1.01, 1.0), (0.99, -1.0)):
-        found = search(middle + factor * (seen - middle), facets.pieces(), facets.squared, facets.signed, 2)[
-            :, 0
-        ]
+        found = search(
+            middle + factor * (seen - middle),
+            facets.pieces(),
+            facets.square_distances,
+            facets.sign_distances,
+            2,
+        )[:, 0]
         assert (np.sign(found) == sign).all()
 
 
@@ -420,9 +424,19 @@ def test_the_deepest_place_between_two_clear_ends_is_found():
     np.testing.assert_allclose(shift, 0.0, atol=1e-9)  # words are work coordinates at A0 C0
     told = against_part(LINKS, program_of(words), mesh, 2.0, 0.01)
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
-    ends = search(words[:, :3] + (0, 0, 2.0), facets.pieces(), facets.squared, facets.signed, 2)[:, 0] - 2.0
+    ends = (
+        search(
+            words[:, :3] + (0, 0, 2.0), facets.pieces(), facets.square_distances, facets.sign_distances, 2
+        )[:, 0]
+        - 2.0
+    )
     assert (ends > 1.0).all()
-    exact = 2.0 - search(np.array([[0.0, 0, 20.0]]), facets.pieces(), facets.squared, facets.signed, 2)[0, 0]
+    exact = (
+        2.0
+        - search(
+            np.array([[0.0, 0, 20.0]]), facets.pieces(), facets.square_distances, facets.sign_distances, 2
+        )[0, 0]
+    )
     assert (
         exact > 1.9
         and told.depth[0] == pytest.approx(exact, abs=0.03)
@@ -455,7 +469,7 @@ def test_far_inside_and_far_outside_are_told_apart_whatever_way_the_places_come(
     pieces, way = facets.pieces(), np.linspace(-40, 40, 300)
     straight = np.column_stack([way, 0 * way, 0 * way + 3])
     for places in (straight, rng.permutation(straight), rng.normal(size=(300, 3)) * 18):
-        exact = search(places, pieces, facets.squared, facets.signed, 2)[:, 0]
+        exact = search(places, pieces, facets.square_distances, facets.sign_distances, 2)[:, 0]
         found = _distance(places, facets, pieces, 1.0)
         assert (np.sign(found) == np.sign(exact)).all() and (found <= exact + 1e-9).all()
         close = exact < 0.9

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.orientation import auto_axis, facets_with_axis
 from freecad_fiveaxis.core.orientation import axis_field as module
-from freecad_fiveaxis.core.orientation.auto_axis import Free, auto_axes, divided, refine_field
+from freecad_fiveaxis.core.orientation.auto_axis import Free, auto_axes, divide_path, refine_field
 from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean
 from freecad_fiveaxis.core.passes import axes_within_limits, slice_mesh
@@ -245,7 +245,7 @@ def test_a_ball_is_raised_out_of_a_shallow_crease_and_does_not_fit_into_a_narrow
     assert inside.any() and not nodes.fits[inside].any() and not freedom.some[inside].any()
     crease = profile(np.array([(-20, -5), (20, -5), (20, 0), (0, -2), (-20, 0)]), 20.0)
     point, normal = np.array([[0.1, 10.0, -1.99]]), crease.normal[[4]]
-    stand, fits = module.raised(Reacher(BALL), facet_tree(crease), point, normal)
+    stand, fits = module.raise_contacts(Reacher(BALL), facet_tree(crease), point, normal)
     assert fits.all() and 0.001 < np.linalg.norm(stand - point) < 0.05
 
 
@@ -350,10 +350,10 @@ def test_lead_goes_on_top_where_that_is_free():
 def test_rows_are_put_between_those_of_wide_facets_so_that_the_field_is_followed_there():
     path, _, _ = contacts_on(corner)
     given = facet_mean(path, AxisOptions())
-    fine, axis = divided(path, given, 3.0, 0.0)
+    fine, axis = divide_path(path, given, 3.0, 0.0)
     away = np.linalg.norm(np.diff(fine.point, axis=0), axis=1)[np.diff(fine.polyline) == 0]
     assert away.max() <= 3.0 + 1e-6 and len(fine.point) == len(axis) > len(path.point)
-    again, _ = divided(fine, axis, 3.0, 0.0)
+    again, _ = divide_path(fine, axis, 3.0, 0.0)
     assert again is fine
     sparse = np.linalg.norm(np.diff(path.point, axis=0), axis=1)[np.diff(path.polyline) == 0]
     assert sparse.max() > 10.0

@@ -57,7 +57,7 @@ def without_work(monkeypatch):
 
     def work_on(job, progress):
         done.append(os.path.basename(job.stem))
-        row = work.failed(job, "").row | {"verdict": "green", "errors": 0, "says": "SAFE"}
+        row = work.fail_job(job, "").row | {"verdict": "green", "errors": 0, "says": "SAFE"}
         return JobOutcome(job.stem, row)
 
     monkeypatch.setattr(work, "run_one", work_on)
@@ -194,7 +194,7 @@ def test_shards_in_one_folder_or_several_merge_to_the_whole(parts, tmp_path, wit
             run("batch", parts, "--out", tmp_path / "one", "--shard", shard, "--executor", "serial", *WORDS)
             == cli.DONE
         )
-    assert sheet.merged([str(tmp_path / "one")], str(tmp_path / "one"))[1]["name"] == "b"
+    assert sheet.merge_reports([str(tmp_path / "one")], str(tmp_path / "one"))[1]["name"] == "b"
 
 
 def test_files_of_others_are_never_replaced_unless_asked(parts, tmp_path, capsys, without_work):

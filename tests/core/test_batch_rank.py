@@ -25,7 +25,7 @@ def row_of(name, unfinished=0.0, minutes=1.0, verdict="green", part="a.stl", **m
 
 
 def places(rows):
-    return [(row["name"], row["rank"]) for row in rank.ranked(rows)]
+    return [(row["name"], row["rank"]) for row in rank.rank_rows(rows)]
 
 
 BEST_FIRST = [
@@ -68,7 +68,7 @@ def test_a_wrong_order_would_be_noticed(name, monkeypatch):
 def test_what_is_the_same_shares_a_rank_and_stays_in_its_order():
     rows = [row_of("x", 2.0, 9.0), row_of("b", 0.04, 5.0), row_of("a", 0.0, 5.0), row_of("c", 0.0, 5.5)]
     assert places(rows) == [("b", 1), ("a", 1), ("c", 3), ("x", 4)]  # 0.04 % is no reason to mill longer
-    assert [str(line) for line in rank.best_lines(rank.ranked(rows))] == [
+    assert [str(line) for line in rank.best_lines(rank.rank_rows(rows))] == [
         "a.stl: best of 4: b, a, 0.0 % unfinished, 5 min"
     ]
 
@@ -77,7 +77,7 @@ def test_each_part_has_its_own_ranks_and_a_single_job_none():
     rows = [row_of("a1", 1.0), row_of("b", part="b.stl"), row_of("a2", 0.0), row_of("c1", verdict="failed", part="c.stl"),
             row_of("c2", verdict="red", part="c.stl")]  # fmt: skip
     assert places(rows) == [("a2", 1), ("a1", 2), ("b", None), ("c2", None), ("c1", None)]
-    a, c = rank.best_lines(rank.ranked(rows))
+    a, c = rank.best_lines(rank.rank_rows(rows))
     assert a == "a.stl: best of 2: a2, 0.0 % unfinished, 1 min"
     assert c == "c.stl: none of 2 ways makes a program that is safe"
 
@@ -85,13 +85,13 @@ def test_each_part_has_its_own_ranks_and_a_single_job_none():
 def test_ranks_are_in_every_report_and_those_of_a_merge_are_counted_anew(tmp_path):
     for folder, rows in (("x", [row_of("one", 3.0), row_of("two", 2.0)]), ("y", [row_of("one", 1.0)])):
         (tmp_path / folder).mkdir()
-        sheet.write_report(sheet.report_files(str(tmp_path / folder)), rank.ranked(rows))
+        sheet.write_report(sheet.report_files(str(tmp_path / folder)), rank.rank_rows(rows))
     alone = (tmp_path / "y" / "batch.html").read_text(encoding="utf-8")
     page = (tmp_path / "x" / "batch.html").read_text(encoding="utf-8")
     assert ">rank<" in page and page.index(">two<") < page.index(">one<") and ">rank<" not in alone
     with open(tmp_path / "x" / "batch.csv", newline="", encoding="utf-8") as stream:
         assert [(row["name"], row["rank"]) for row in csv.DictReader(stream)] == [("two", "1"), ("one", "2")]
-    rows = rank.ranked(sheet.merged([str(tmp_path / "x"), str(tmp_path / "y")], str(tmp_path)))
+    rows = rank.rank_rows(sheet.merge_reports([str(tmp_path / "x"), str(tmp_path / "y")], str(tmp_path)))
     assert [(row["folder"], row["name"], row["rank"]) for row in rows] == [
         ("y", "one", 1),
         ("x", "two", 2),
@@ -124,7 +124,7 @@ def test_the_command_names_the_best_cutter_of_each_part(tmp_path, capsys, monkey
 
     def work_on(job, progress):
         left = unfinished[job.options["cutter"]]
-        row = work.failed(job, "" if left else "too large").row
+        row = work.fail_job(job, "" if left else "too large").row
         return JobOutcome(job.stem, row | (row_of(row["name"], left, 31.0, part=row["part"]) if left else {}))
 
     monkeypatch.setattr(work, "run_one", work_on)

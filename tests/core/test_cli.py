@@ -14,13 +14,13 @@ import sys
 import numpy as np
 import pytest
 from plain import PLAIN, PLAIN_WORDS, build_settings
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import terminal
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.machine import shipped_machines
+from freecad_fiveaxis.core.machine import list_shipped_machines
 from freecad_fiveaxis.core.pipeline import job
 
 TABLE_2 = "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
@@ -170,12 +170,12 @@ def mills(roof, machine, *words):
     assert code in (cli.DONE, cli.DONE_WITH_ERRORS)
 
 
-@some_in_core("machine", shipped_machines())
+@some_in_core("machine", list_shipped_machines(), others=OTHERS_ONCE)
 def test_every_shipped_machine_mills_the_roof(machine, roof):
     mills(roof, machine)
 
 
-@pytest.mark.parametrize("machine", shipped_machines())
+@pytest.mark.parametrize("machine", list_shipped_machines())
 def test_every_shipped_machine_mills_the_roof_in_planes(machine, roof):
     mills(roof, machine, *PLAIN_WORDS)
 

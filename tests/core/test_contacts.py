@@ -27,13 +27,13 @@ def test_on_a_floor_the_contact_is_below_the_centre_whatever_the_lean():
     centre = np.column_stack([np.linspace(-10.0, 10.0, 5), np.zeros(5), np.full(5, 3.0)])
     known = contacts_of(centre, np.tile([0.0, 0.0, 1.0], (5, 1)), axis, np.zeros(5, int), FLOOR, 3.0, 3.0)
     tip = centre - 3.0 * axis
-    np.testing.assert_allclose(known.touched(tip, axis), centre - (0.0, 0.0, 3.0), atol=1e-12)
+    np.testing.assert_allclose(known.find_touched(tip, axis), centre - (0.0, 0.0, 3.0), atol=1e-12)
     up = np.array([0.0, 0.0, 1.0])
     np.testing.assert_allclose(
-        known.touched(tip + up, axis), centre - 2.0 * up, atol=1e-12
+        known.find_touched(tip + up, axis), centre - 2.0 * up, atol=1e-12
     )  # lifted, as it is
-    assert (known.touched(tip + 50.0 * up, axis) == tip + 50.0 * up).all(), "far away it touches nothing"
-    assert known.touched(tip[:0], axis[:0]).shape == (0, 3)
+    assert (known.find_touched(tip + 50.0 * up, axis) == tip + 50.0 * up).all(), "far away it touches nothing"
+    assert known.find_touched(tip[:0], axis[:0]).shape == (0, 3)
 
 
 def test_a_tool_on_the_normals_has_tips_for_contacts():

@@ -89,12 +89,12 @@ def test_points_lines_and_sheets_are_pieces_too():
         gaps(ball, sheet, (5.0, 5.0, 7.0)).least[0] == pytest.approx(3.0)
         and gaps(ball, sheet, (5.0, 5.0, 3.9)).met[0]
     )
-    assert sheet.inmost[1] == 0.0 and sheet.pared(1.0) is sheet
+    assert sheet.inmost[1] == 0.0 and sheet.pare(1.0) is sheet
 
 
 def test_what_is_pared_off_a_piece_lies_less_deep():
     assert BAR.inmost[1] == pytest.approx(10.0)
-    less = BAR.pared(2.5)
+    less = BAR.pare(2.5)
     assert np.allclose(np.abs(less.corner), (47.5, 17.5, 7.5)) and less.inmost[1] == pytest.approx(7.5)
 
 

@@ -9,7 +9,7 @@ import pytest
 from cutter_body import body, meridian, placed, support
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.orientation.strategies import leaned
+from freecad_fiveaxis.core.orientation.strategies import lean_axis
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, cutter_text, parse_cutter
 from freecad_fiveaxis.core.tool.contact import ring_direction
 from freecad_fiveaxis.core.tool.silhouette import width_at
@@ -43,7 +43,7 @@ def stands(leads, tilts, seed=3):
     feed = np.cross(normal, rng.normal(size=(len(lead), 3)))
     feed /= np.linalg.norm(feed, axis=1)[:, None]
     axis = np.concatenate(
-        [leaned(n[None], f[None], a, b) for n, f, a, b in zip(normal, feed, lead, tilt, strict=True)]
+        [lean_axis(n[None], f[None], a, b) for n, f, a, b in zip(normal, feed, lead, tilt, strict=True)]
     )
     return rng.uniform(-50, 50, (len(lead), 3)), normal, axis, feed
 
@@ -85,9 +85,9 @@ def test_square_on_the_surface_the_contact_is_the_foremost_point_of_the_bottom(s
     contact, normal, axis, feed = stands((0,), (0,))
     tip = cutter.tip_from_contact(contact, normal, axis, feed)
     np.testing.assert_allclose(tip, contact - cutter.ring * feed, atol=1e-12)
-    leaning = leaned(normal, feed, 1e-3, 0.0)
+    leaning = lean_axis(normal, feed, 1e-3, 0.0)
     np.testing.assert_allclose(cutter.tip_from_contact(contact, normal, leaning, feed), tip, atol=0.02)
-    a_hair = leaned(normal, feed, 0.0, 1e-6)  # less than what makes a difference in a word's last digit
+    a_hair = lean_axis(normal, feed, 0.0, 1e-6)  # less than what makes a difference in a word's last digit
     np.testing.assert_allclose(cutter.tip_from_contact(contact, normal, a_hair, feed), tip, atol=1e-4)
 
 
@@ -150,7 +150,7 @@ def test_the_effective_radius_is_the_curvature_of_the_body_seen_along_the_feed(s
 
 def test_known_effective_radii():
     bull, up, x, y = parse_cutter("bull:10:2"), *np.eye(3)[[2, 0, 1], None]
-    lead = leaned(up, x, np.radians(5), 0.0)
+    lead = lean_axis(up, x, np.radians(5), 0.0)
     assert bull.effective_radius(up, lead, y)[0] == pytest.approx(3 / np.sin(np.radians(5)) + 2)
     assert bull.effective_radius(up, lead, x)[0] == pytest.approx(2)
     assert bull.effective_radius(up, up, y)[0] == np.inf

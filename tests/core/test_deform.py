@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
 from freecad_fiveaxis.core.machine.kinematics import inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
-from freecad_fiveaxis.core.orientation.past_pole import deform_axes, rerouted_axes, trade_findings, trade_off
+from freecad_fiveaxis.core.orientation.past_pole import deform_axes, reroute_axes, trade_findings, trade_off
 from freecad_fiveaxis.core.orientation.past_pole.drive import drive
 from freecad_fiveaxis.core.orientation.past_pole.meridian import angle_between
 from freecad_fiveaxis.core.passes import axes_within_limits
@@ -32,7 +32,7 @@ QUIET = np.radians(1.0)  # a pass on which C turns less has nothing to be cured
 @lru_cache(maxsize=64)
 def led(*args, change=CHANGE, **options):
     offset, axis, kinematics = dome_passes(*args, **dict(options))
-    return rerouted_axes(offset, axis, kinematics, change)
+    return reroute_axes(offset, axis, kinematics, change)
 
 
 def turned(offset, words, shortest=1e-6):
@@ -137,7 +137,7 @@ def test_the_peak_rate_falls_on_machines_that_cannot_pass_the_pole_for_nothing(n
 )
 def test_any_axes_are_led(options):
     offset, axis, kinematics = dome_passes("trunnion_ac", **options)
-    found = rerouted_axes(offset, axis, kinematics, CHANGE)
+    found = reroute_axes(offset, axis, kinematics, CHANGE)
     assert found.rerouted.any() and not found.after.worse(found.before)[~found.rerouted].any()
     for line in short_of_ten(offset, axis, found.axis, kinematics):
         assert (
@@ -229,7 +229,7 @@ def test_the_trade_is_what_each_angle_gives_by_itself():
     before = turned(offset, drive(offset, axis, kinematics))
     assert (trade.peak[0], trade.first[0]) == pytest.approx((before[0].max(), before[1].sum()))
     for row, change in enumerate(changes, 1):
-        found = rerouted_axes(offset, axis, kinematics, change)
+        found = reroute_axes(offset, axis, kinematics, change)
         peak, turn = turned(offset, drive(offset, found.axis, kinematics))
         assert (trade.peak[row], trade.first[row]) == pytest.approx((peak.max(), turn.sum()))
         assert trade.passes[row] == found.rerouted.sum() and trade.used[row] <= change

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import report_examples as examples
 
-from freecad_fiveaxis.core.report import draw, listed, markers, spot, summary
+from freecad_fiveaxis.core.report import draw, list_findings, markers, spot, summary
 from freecad_fiveaxis.core.report.drawing import AXES_ACROSS, CURVE_POINTS
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -88,7 +88,7 @@ def test_a_spot_tells_the_numbers_of_table_2():
 
 
 def test_every_finding_and_every_marker_has_a_row_in_the_list(dome):
-    rows, of_marker = listed(dome)
+    rows, of_marker = list_findings(dome)
     assert {row.finding for row in rows} >= set(dome.findings)
     severity = [row.finding.severity for row in rows]
     assert severity == sorted(severity, reverse=True)

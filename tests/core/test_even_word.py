@@ -52,7 +52,7 @@ def test_the_rates_are_the_least_possible_but_for_their_steps_and_the_word_keeps
     best = least_peak(along, low, high)
     assert best - 1e-9 <= rates.max() <= best * even.RAISE * even.SPARE * 1.01
     leash = even.leash_of(along, rates)
-    made = even.evened(leash, word, low, high)
+    made = even.even_out_word(leash, word, low, high)
     assert (made >= low - 1e-8).all() and (made <= high + 1e-8).all()
     assert (np.abs(np.diff(made)) <= np.diff(leash) + 1e-8).all()
 
@@ -76,7 +76,7 @@ def test_where_one_place_needs_two_words_there_are_no_rates():
 def test_a_word_that_turns_no_faster_is_left_alone():
     along, word, _, _ = bounds(3)
     leash = even.leash_of(along, np.full(len(along) - 1, 1e7))
-    np.testing.assert_allclose(even.evened(leash, word, word - 1, word + 1), word, atol=1e-9)
+    np.testing.assert_allclose(even.even_out_word(leash, word, word - 1, word + 1), word, atol=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(8))

@@ -133,6 +133,7 @@ def test_a_table_is_named():
         (12.0, {"cutter": Cutter(6.0, 5.0), "shank": ((16.0, 90.0),)}, "the shank"),
         (14.0, {"cutter": Cutter(6.0, 12.0), "holder": ((60.0, 30.0),), "most": 0.5}, "the holder"),
     ],
+    others=OTHERS_ONCE,
 )
 def test_each_reason_is_named_with_its_area(width, tool, words):
     mesh = slot(width, 40.0, 120.0)

@@ -19,7 +19,14 @@ from thorough import some_in_core
 from freecad_fiveaxis.core.base.errors import FiveAxisError, MachineError, ReachError, SettingsError
 from freecad_fiveaxis.core.calibration.tasks import prove as prove_signs
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.machine import Axis, Machine, SafeStart, fitted_columns, load_machine, save_machine
+from freecad_fiveaxis.core.machine import (
+    Axis,
+    Machine,
+    SafeStart,
+    find_physical_columns,
+    load_machine,
+    save_machine,
+)
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.pipeline import job, settings
@@ -263,7 +270,9 @@ def test_play_moves_what_there_is(files, name, path):
     np.testing.assert_allclose(pose.tip, forward(kinematics, words_to_q(program.words[-1:]))[0][0], atol=1e-9)
     bodies = sketch(kinematics, np.zeros(3), np.full(3, 20.0), ToolRoom(50.0, 5.0))
     carriers = {body.carrier for body in bodies} - {None}
-    assert carriers <= set(fitted_columns(kinematics.letters)) and (3 in carriers) == (name == "table_a")
+    assert carriers <= set(find_physical_columns(kinematics.letters)) and (3 in carriers) == (
+        name == "table_a"
+    )
 
 
 def test_the_dome_is_milled_with_the_tool_along_z(parts, files):

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.passes.geodesic import (
     steepness,
     step_across,
 )
-from freecad_fiveaxis.core.passes.refine import Copy, finer_copy, joined, taken
+from freecad_fiveaxis.core.passes.refine import Copy, finer_copy, join_copies, take_facets
 from freecad_fiveaxis.core.passes.scallop_passes import ConstantScallop, Surface, _gaps
 from freecad_fiveaxis.core.passes.sources import find_source, source_values
 
@@ -294,7 +294,7 @@ def test_a_pass_does_not_cover_the_other_side_of_a_thin_wall():
     one = flat_copy(4.0)[0]
     back = from_faces(one.vertex - (0, 0, 0.01), one.face[:, ::-1])
     a, b = (finer_copy(mesh, np.arange(2), flat_metric(mesh, np.arange(2)), 1.0) for mesh in (one, back))
-    copy = joined(a, b)
+    copy = join_copies(a, b)
     value = copy.mesh.vertex[:, 0] + 100.0 * copy.component
     left = gaps_of(copy, unit_metric(copy), value, [0.5, 1.5, 2.5, 3.5])
     np.testing.assert_array_equal(left, copy.mesh.normal[:, 2] < 0.0)
@@ -364,7 +364,7 @@ def test_facets_that_only_touch_in_a_vertex_are_two_pieces():
     assert copy.component.max() == 1 and not set(copy.mesh.face[copy.parent == 0].ravel()) & set(
         copy.mesh.face[copy.parent == 1].ravel()
     )
-    both = joined(copy, taken(copy, mesh, np.arange(3)))
+    both = join_copies(copy, take_facets(copy, mesh, np.arange(3)))
     assert both.component.max() >= 2 and len(both.mesh.face) == len(copy.mesh.face) + 3
     again = both.mesh.coedge_vertex[both.mesh.face_coedge]
     ends = np.stack([both.mesh.face, np.roll(both.mesh.face, -1, axis=1)], axis=2)

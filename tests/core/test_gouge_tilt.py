@@ -10,7 +10,7 @@ import pytest
 from gouge_examples import bowl, dense_points, sampled_depth, step
 from plain import build_settings
 from scipy.optimize import brentq
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
@@ -150,11 +150,12 @@ def test_no_step_of_the_search_leads_beyond_the_largest_tilt():
     axis, across = np.tile([0.0, 0.0, 1.0], (rows, 1)), np.tile([1.0, 0.0, 0.0], (rows, 1))
     runs = SimpleNamespace(
         task=SimpleNamespace(max_tilt=most), axis=axis, frame=np.stack([across, np.cross(axis, across)]), weight=np.ones(rows),
-        first=np.array([0]), size=np.array([rows]), allowed=lambda axes: np.ones(axes.shape[:2], bool), standing=lambda axes: axes,
+        first=np.array([0]), size=np.array([rows]), is_allowed=lambda axes: np.ones(axes.shape[:2], bool),
+        standing=lambda axes: axes,
         share=lambda block: 0.0 * axis[:, 0], penalty=lambda tips, axes: 1e3 * axes[:, :, 2],
         change=lambda offset, tips, axes: np.zeros((len(axes), len(axes), rows - 1)),
     )  # fmt: skip
-    found = _Runs.chosen(runs, 0.15 * across, np.array([[0.0, 0.15, -0.15], [0.0, 0.0, 0.0]]))
+    found = _Runs.choose_way(runs, 0.15 * across, np.array([[0.0, 0.15, -0.15], [0.0, 0.0, 0.0]]))
     np.testing.assert_allclose(found, most * across, atol=1e-12)
 
 
@@ -170,9 +171,9 @@ def test_a_tapered_flank_never_leans_into_the_facet():
             cutter=SimpleNamespace(taper=np.radians(taper)),
         )
         runs = SimpleNamespace(window=np.array([0]), task=task, path=SimpleNamespace(normal=upright))
-        found = _Runs.allowed(runs, np.repeat(axes[:, None], 2, axis=1))
+        found = _Runs.is_allowed(runs, np.repeat(axes[:, None], 2, axis=1))
         assert found[:, 0].tolist() == known and (found[:, 0] == found[:, 1]).all()
-        assert _Runs.allowed(runs, np.repeat(axes[::-1, None], 2, axis=1))[0].all()
+        assert _Runs.is_allowed(runs, np.repeat(axes[::-1, None], 2, axis=1))[0].all()
 
 
 @pytest.mark.parametrize("cutter", ["bull:6:1:24", pytest.param("flat:6:24", marks=pytest.mark.slow)])
@@ -203,7 +204,7 @@ def convex(path, gouge):
 
 
 @pytest.mark.parametrize("gouge", CURES[1:])
-@some_in_core("part", ["dome", "blade", "half_cylinder"])
+@some_in_core("part", ["dome", "blade", "half_cylinder"], others=OTHERS_ONCE)
 def test_on_convex_parts_no_cure_changes_a_bit(parts, part, gouge):
     one, two = (
         convex(str(parts / f"{part}.stl"), cure) for cure in ("report", gouge)

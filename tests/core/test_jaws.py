@@ -5,6 +5,7 @@ makes."""
 import numpy as np
 import pytest
 from plain import build_settings
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
@@ -106,7 +107,7 @@ def ball_in_jaw(chart, top, side):
     return float((3.0 - np.linalg.norm(centre - np.clip(centre, low, high), axis=1)).max())
 
 
-@pytest.mark.parametrize("side", ["-X", "+X", "-Y", "+Y"])
+@some_in_core("side", ["-X", "+X", "-Y", "+Y"], others=OTHERS_ONCE)
 def test_samples_enter_no_jaw_and_one_that_is_half_a_millimetre_higher(tmp_path, side):
     chart = charted(tmp_path)
     top = tops(chart)[side]

@@ -19,7 +19,7 @@ from five_kinds import (
     random_blocks,
     sampled_deviation,
 )
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ProgramError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
@@ -36,8 +36,13 @@ from freecad_fiveaxis.core.machine.kinematics import (
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.motion.linearize import linearize, linearize_words
-from freecad_fiveaxis.core.motion.linearize.balance import balanced_shares
-from freecad_fiveaxis.core.motion.linearize.commanded_moves import Steps, commanded_moves, follow, most_off
+from freecad_fiveaxis.core.motion.linearize.balance import balance_shares
+from freecad_fiveaxis.core.motion.linearize.commanded_moves import (
+    Steps,
+    compute_commanded_moves,
+    follow,
+    most_off,
+)
 from freecad_fiveaxis.core.motion.linearize.proof import judge_pieces, off_segment
 from freecad_fiveaxis.core.motion.program import build_program
 from freecad_fiveaxis.core.motion.trajectory import frames, tip_at
@@ -88,7 +93,7 @@ def sampled(kinematics, words, piece, start, end, block, u=U):
 def course_of(kinematics, start, end):
     words = interleaved(start, end)
     q = words_to_q(words)
-    return commanded_moves(
+    return compute_commanded_moves(
         kinematics, forward(kinematics, q)[0], q[:, 3:], words, np.arange(1, len(words), 2)
     )
 
@@ -220,7 +225,7 @@ def test_random_blocks_hold_and_never_take_more_pieces_than_halving(kind):
 
 
 @pytest.mark.thorough
-@some_in_core("kind", ["table_table", "nutating", "head_head"])
+@some_in_core("kind", ["table_table", "nutating", "head_head"], others=OTHERS_ONCE)
 def test_no_block_takes_more_pieces_than_the_longest_steps_one_after_the_other(kind):
     kinematics = kinematics_of(kind)
     start, end = rounded_blocks(kinematics, 40, 62)
@@ -481,14 +486,14 @@ def test_balanced_shares_spread_the_load_evenly():
     share = np.concatenate([np.linspace(0, 1, 41), np.linspace(0, 1, 21)])
     load = np.concatenate([np.diff(np.linspace(0, 1, 41) ** 2), [0.0], np.diff(np.linspace(0, 1, 21)), [0.0]])
     calm = np.zeros(2, bool)
-    found = balanced_shares(share, load, np.array([40, 20]), calm, np.array([0, 1]), np.array([9, 4]))
+    found = balance_shares(share, load, np.array([40, 20]), calm, np.array([0, 1]), np.array([9, 4]))
     assert np.abs(found[:10] - np.sqrt(np.arange(10) / 9)).max() < 2e-3
     assert np.abs(found[10:] - np.arange(5) / 4).max() < 1e-12
 
 
 def test_a_block_without_any_load_keeps_its_shares():
     share, load = np.array([0.0, 0.3, 1.0, 0.0, 0.5, 1.0]), np.array([0.0, 0.0, 0.0, 1.0, 3.0, 0.0])
-    found = balanced_shares(
+    found = balance_shares(
         share, load, np.array([2, 2]), np.zeros(2, bool), np.array([0, 1]), np.array([2, 2])
     )
     assert np.abs(found[:3] - (0.0, 0.3, 1.0)).max() < 1e-12

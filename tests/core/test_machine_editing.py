@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base import files
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, read_stl, write_stl
-from freecad_fiveaxis.core.machine import load_machine, machine_path, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine, machine_path, save_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.editing import (
     AttachedMeshes,
@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.machine.editing import (
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.fcm"))
-ALL = [*shipped_machines(), *map(str, EXAMPLES)]
+ALL = [*list_shipped_machines(), *map(str, EXAMPLES)]
 NC = "G21 G90 G94\nG1 X0 Y0 Z30 A0 C0 F1000\nG1 X10 Y5 Z20 A20 C30\nG1 X20 Y5 Z20 A40 C90\nM2\n"
 
 

@@ -15,9 +15,9 @@ from freecad_fiveaxis.core.machine import (
     FARTHEST,
     Axis,
     Machine,
+    list_shipped_machines,
     load_machine,
     save_machine,
-    shipped_machines,
 )
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
@@ -63,7 +63,7 @@ def refused(load, content, *words):
 
 
 def test_the_ten_machines_come_with_the_program():
-    assert shipped_machines() == (
+    assert list_shipped_machines() == (
         "fork_head_bc",
         "head_b_table_c",
         "head_table_with_bodies",
@@ -78,7 +78,7 @@ def test_the_ten_machines_come_with_the_program():
 
 
 def test_axes_come_in_the_order_from_work_to_tool():
-    orders = {name: load_machine(name).letters for name in shipped_machines()}
+    orders = {name: load_machine(name).letters for name in list_shipped_machines()}
     assert orders == {
         "fork_head_bc": "XYZCB",
         "head_b_table_c": "CXYZB",
@@ -210,7 +210,7 @@ def test_a_byte_order_mark_is_no_obstacle(data, load):
 # What is written.
 
 
-@pytest.mark.parametrize("name", shipped_machines())
+@pytest.mark.parametrize("name", list_shipped_machines())
 def test_a_shipped_file_is_what_would_be_written(name, tmp_path):
     path = tmp_path / "copy.fcm"
     save_machine(load_machine(name), path)
@@ -300,7 +300,7 @@ def test_a_name_that_is_none_cannot_be_written():
 def test_an_unknown_name_lists_the_known_ones():
     with pytest.raises(MachineError, match="did you mean trunnion_ac") as caught:
         load_machine("Trunion-AC")
-    assert all(name in str(caught.value) for name in shipped_machines())
+    assert all(name in str(caught.value) for name in list_shipped_machines())
     with pytest.raises(MachineError, match="known: fork_head_bc"):
         load_machine("")
 

@@ -9,7 +9,7 @@ import pytest
 from five_kinds import KINDS, kinematics_of
 from test_playback import random_words, shipped
 
-from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.report.machine_sketch import Box, Cylinder, ToolRoom, corners, sketch
 from freecad_fiveaxis.core.report.playback import placements, sides
@@ -28,7 +28,7 @@ REVERSED = {  # a table on a table whose platter stands upright; a head that swi
 }  # fmt: skip
 
 
-@pytest.fixture(params=[*sorted(shipped_machines()), *KINDS, *REVERSED])
+@pytest.fixture(params=[*sorted(list_shipped_machines()), *KINDS, *REVERSED])
 def kinematics(request):
     if request.param in REVERSED:
         return chain(Machine(request.param, REVERSED[request.param]), Setup((0.0, 0.0, 0.0), 150.0))

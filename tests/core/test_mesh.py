@@ -9,7 +9,7 @@ from freecad_fiveaxis.core.base.errors import MeshError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
 from freecad_fiveaxis.core.geometry.mesh import weld as weld_module
-from freecad_fiveaxis.core.geometry.mesh.half_edges import sorted_half_edges
+from freecad_fiveaxis.core.geometry.mesh.half_edges import sort_half_edges
 from freecad_fiveaxis.core.geometry.mesh.words import sort_during
 
 
@@ -176,13 +176,13 @@ def test_half_edges_too_wide_for_one_word_are_paired_all_the_same():
     mesh = from_triangles(corners)
     many = 1 << 29
     wide, packed = (
-        sorted_half_edges(mesh.face, vertices, lambda: None)[0] for vertices in (many, len(mesh.vertex))
+        sort_half_edges(mesh.face, vertices, lambda: None)[0] for vertices in (many, len(mesh.vertex))
     )
     every = slice(None)
     key, narrow = wide.keys(every), packed.keys(every)
     assert wide.half is not None and packed.half is None
     np.testing.assert_array_equal(wide.numbers(every), packed.numbers(every))
-    assert wide.low == packed.low and wide.paired() and packed.paired()
+    assert wide.low == packed.low and wide.is_paired() and packed.is_paired()
     np.testing.assert_array_equal(np.diff(key) > 0, np.diff(narrow) > 0)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 STUDIES = Path(__file__).parents[2] / "docs" / "studies"
 sys.path.insert(0, str(STUDIES))
@@ -27,9 +27,9 @@ from freecad_fiveaxis.core.machine import load_machine  # noqa: E402
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words, q_to_words  # noqa: E402
 from freecad_fiveaxis.core.motion.trajectory import tip_at  # noqa: E402
 from freecad_fiveaxis.core.orientation.minimax import minimax_axes  # noqa: E402
-from freecad_fiveaxis.core.orientation.minimax.apply import _driven  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax.apply import _drive_axes  # noqa: E402
 from freecad_fiveaxis.core.orientation.minimax.blocks import bow, states  # noqa: E402
-from freecad_fiveaxis.core.orientation.minimax.rows import allowed, find_rows, run_begins  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax.rows import find_rows, is_allowed, run_begins  # noqa: E402
 from freecad_fiveaxis.core.orientation.minimax.steps import through_pole  # noqa: E402
 from freecad_fiveaxis.core.orientation.minimax.sweep import cheapest  # noqa: E402
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes  # noqa: E402
@@ -83,7 +83,7 @@ def beyond(path, axis, samples=2001):
 # ----------------------------------------------------------------------------------------- what it must reach
 
 
-@some_in_core("depth", DEPTHS, kept=())
+@some_in_core("depth", DEPTHS, kept=(), others=OTHERS_ONCE)
 def test_on_the_part_of_233_facets_at_least_5_times_smaller(depth):
     assert cases.ratio(cases.part(parts.PART, "table_ab", depth)) > 5.0
 
@@ -157,7 +157,10 @@ MACHINES = [
 def test_no_run_is_worse_and_those_not_better_are_the_same_to_the_last_bit(machine):
     offset, axis, kinematics, reach = given(machine)
     new = found(machine)
-    before, after = _driven(offset, axis, kinematics, reach)[1], _driven(offset, new, kinematics, reach)[1]
+    before, after = (
+        _drive_axes(offset, axis, kinematics, reach)[1],
+        _drive_axes(offset, new, kinematics, reach)[1],
+    )
     assert after.max() < before.max() / 3.0
     assert (after <= before * (1 + 1e-9) + 1e-9).all()
     run = np.cumsum(run_begins(offset)) - 1
@@ -180,7 +183,7 @@ def test_no_rotary_axis_exceeds_its_rate_where_it_did_not_before(machine):
     minutes = np.linalg.norm(np.diff(offset.centre, axis=0), axis=1) / FEED
     inside = ~run_begins(offset)[1:]
     turn = [
-        np.abs(np.diff(_driven(offset, ways, kinematics, reach)[0], axis=0))
+        np.abs(np.diff(_drive_axes(offset, ways, kinematics, reach)[0], axis=0))
         for ways in (axis, found(machine))
     ]
     most = np.maximum(kinematics.rate[3:] * minutes[:, None], turn[0])
@@ -332,7 +335,7 @@ def test_what_is_allowed_is_what_dense_sampling_of_the_range_says(angle):
     arc = np.column_stack([np.sin(turn), 0.0 * turn, np.cos(turn)])
     away = np.arccos(np.clip(axis @ arc.T, -1, 1)).min(axis=1)
     expected = (away <= TILT) & (axis @ before[0] >= 0) & (axis @ after[0] >= 0)
-    got = allowed(before, after, TILT, axis.T[:, :, None])[:, 0]
+    got = is_allowed(before, after, TILT, axis.T[:, :, None])[:, 0]
     clear = np.abs(away - TILT) > 1e-5
     assert np.array_equal(got[clear], expected[clear]) and 10 < got.sum() < 3000
 

@@ -136,7 +136,8 @@ def test_a_program_without_cycles_is_the_same_object() -> None:
 
     read_in = words.read_words(HEAD.encode() + b"G1 X1\nG80\n")
     assert (
-        canned_cycles.written_out(read_in, lines.Lines(read_in, Assumed()), codes.ISO, "haas")[0] is read_in
+        canned_cycles.write_out_cycles(read_in, lines.Lines(read_in, Assumed()), codes.ISO, "haas")[0]
+        is read_in
     )
 
 

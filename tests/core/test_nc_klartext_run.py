@@ -176,5 +176,5 @@ def test_random_formulas_as_python_works_them_out() -> None:
 
 
 def test_a_plain_program_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(heidenhain_run, "written_out", None)
+    monkeypatch.setattr(heidenhain_run, "run_heidenhain", None)
     assert klartext("L X+1 FMAX M3\nTOOL CALL 3 Z S900\nL X+2\nEND PGM T MM\n").words[-1, 0] == 2

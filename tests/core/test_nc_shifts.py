@@ -202,4 +202,4 @@ def test_what_is_not_known_of_shifts_planes_and_boring_is_an_error_by_name_with_
 
 def test_a_program_without_shifts_is_the_same_object() -> None:
     words = read_words(HEAD["linuxcnc"].encode() + b"X1\n")
-    assert shifts.shifted(words, Lines(words, Assumed()), codes.ISO)[0] is words
+    assert shifts.shift_words(words, Lines(words, Assumed()), codes.ISO)[0] is words

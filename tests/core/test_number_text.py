@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base.number_text import (
     Column,
     Units,
     nearest_whole,
-    rounded,
+    round_as_printed,
     table,
     table_parts,
 )
@@ -110,9 +110,9 @@ def test_an_empty_table_is_empty_text() -> None:
 
 
 def test_rounded_values_never_read_minus_zero() -> None:
-    values = rounded(np.array([-0.00004, -0.0, 0.00006, -1.23456]), 4)
+    values = round_as_printed(np.array([-0.00004, -0.0, 0.00006, -1.23456]), 4)
     assert table([Column(b"", values, 4)]) == b"0.0000\n0.0000\n0.0001\n-1.2346\n"
-    assert rounded(np.array([0.1 + 0.2]), 4)[0] == 0.3
+    assert round_as_printed(np.array([0.1 + 0.2]), 4)[0] == 0.3
 
 
 @pytest.mark.parametrize(

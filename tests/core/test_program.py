@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.controllers.dialect import feed_distance
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, inverse
 from freecad_fiveaxis.core.motion.joint_path import JointPath
-from freecad_fiveaxis.core.motion.program import Program, build_program, feeds, shorter_turns, turned_to
+from freecad_fiveaxis.core.motion.program import Program, build_program, feeds, shorter_turns, take_up_axes
 from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
@@ -395,4 +395,4 @@ def test_an_axis_vector_is_taken_up_on_the_winding_nearest_to_the_words_before()
     )
     vector = forward(kinematics, in_radians(np.column_stack([np.zeros((300, 3)), wanted])))[1]
     near = wanted + rng.uniform(-4.0, 4.0, wanted.shape)
-    assert turned_to(kinematics, vector, near) == pytest.approx(wanted, abs=1e-9)
+    assert take_up_axes(kinematics, vector, near) == pytest.approx(wanted, abs=1e-9)

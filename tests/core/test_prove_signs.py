@@ -84,7 +84,7 @@ def test_without_that_care_a_wrong_sign_would_come_too_near():
     assert made.distance > WISHES.gap
     both = made.stops[-2].q[-1, 3:]
     near = _last_pose(made.kinematics, WISHES, both, WISHES.gap)[None]
-    assert min(one.reached(near)[0][0, 2] for one in wrong_machines(machine, SETUP)) < WISHES.gap - 3.0
+    assert min(one.reach(near)[0][0, 2] for one in wrong_machines(machine, SETUP)) < WISHES.gap - 3.0
 
 
 @machines

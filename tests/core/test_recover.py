@@ -14,15 +14,21 @@ from thorough import some_in_core
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.calibration.recover import (
+    find_axis_step,
     parameters,
-    printed_axis_step,
     recover,
     recovery_findings,
     rotary_letters,
 )
-from freecad_fiveaxis.core.calibration.recover.fit import refined, screened
+from freecad_fiveaxis.core.calibration.recover.fit import refine_fit, screen_guess
 from freecad_fiveaxis.core.calibration.recover.layouts import Guess, start_layout
-from freecad_fiveaxis.core.calibration.recover.matching import _table, _traced, aligned, in_order, sequences
+from freecad_fiveaxis.core.calibration.recover.matching import (
+    _table,
+    _trace_matches,
+    align_pairs,
+    in_order,
+    sequences,
+)
 from freecad_fiveaxis.core.calibration.recover.model import UNKNOWNS, rows_of
 from freecad_fiveaxis.core.calibration.recover.pairs import Pairs, Steps, step_of
 from freecad_fiveaxis.core.calibration.tasks import recover_machine
@@ -87,7 +93,7 @@ def test_plain_least_squares_would_be_misled_by_5_per_cent_of_wrong_rows():
 
 
 def screened_fit(layout, pairs, base):
-    return screened(Guess(layout, (0.0, 0.0), 0.0), pairs, base, False)
+    return screen_guess(Guess(layout, (0.0, 0.0), 0.0), pairs, base, False)
 
 
 # Second routes
@@ -178,7 +184,7 @@ def test_certainties_are_what_many_roundings_show():
     for seed in range(40):
         path, made, _ = posted("trunnion_bc", 20, seed)
         pairs = in_order(sequences(path, made, 1e-4))
-        fit = refined(screened_fit(layout, pairs, base), pairs, base)
+        fit = refine_fit(screened_fit(layout, pairs, base), pairs, base)
         sigma = np.sqrt(np.diag(fit.covariance))[:4]
         error = fit.unknown[:4] - (-10.0, 5.0, -10.0, -80.0)
         off.append(error / sigma)
@@ -229,7 +235,7 @@ def test_rows_and_blocks_are_aligned_as_the_best_of_all_pairings_in_order(seed):
         return max(best(i - 1, j), max(best(i - 1, k) + alike[i - 1, k] for k in range(j)))
 
     assert _table(alike)[-1, -1] == pytest.approx(best(5, 6))
-    rows, blocks = _traced(alike)
+    rows, blocks = _trace_matches(alike)
     assert alike[rows, blocks].sum() == pytest.approx(best(5, 6))
     assert (np.diff(rows) > 0).all() and (np.diff(blocks) > 0).all()
 
@@ -439,7 +445,7 @@ def test_rows_that_do_not_move_are_passed_over_as_posts_do():
     pairs = in_order(sequences(doubled, made, 1e-4))
     np.testing.assert_array_equal(doubled.tip[pairs.row], path.tip)
     assert in_order(sequences(path, program(made.letters, made.words[:-1]), 1e-4)) is None
-    assert len(aligned(sequences(path, program(made.letters, made.words[:-1]), 1e-4)).row) == 29
+    assert len(align_pairs(sequences(path, program(made.letters, made.words[:-1]), 1e-4)).row) == 29
 
 
 HAAS = Machine(
@@ -515,7 +521,7 @@ def test_steps_and_letters_are_read_from_what_is_printed():
     inch = np.round(np.random.default_rng(1).uniform(-5, 5, 20), 4) * 25.4
     assert step_of(inch) == pytest.approx(25.4e-4) and step_of(inch, False) == pytest.approx(1e-5)
     apt = b"GOTO/1.0,2,3\nGOTO / 1,2,3, 0.00959,.12, 0.9998268 $$ note 1.23456789012\n"
-    assert printed_axis_step(apt) == pytest.approx(1e-7) and printed_axis_step(b"GOTO/1,2,3") == 1e-4
+    assert find_axis_step(apt) == pytest.approx(1e-7) and find_axis_step(b"GOTO/1,2,3") == 1e-4
     assert rotary_letters(b"(B axis) G1 X1 A10. c-5 ; B7\n") == "AC" and rotary_letters(b"G1X1B=3C=5") == "BC"
     with pytest.raises(ProgramError, match="rotary words of C"):
         rotary_letters(b"G1 X1 C2")

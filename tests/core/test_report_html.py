@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.report import as_html
 from freecad_fiveaxis.core.report.plot_style import spans, thin
 from freecad_fiveaxis.core.report.plots import plots
-from freecad_fiveaxis.core.report.views import SAMPLES, _driven, _on_plane, _to_segment
+from freecad_fiveaxis.core.report.views import SAMPLES, _on_plane, _place_real_tip, _to_segment
 
 VOID = {"meta", "img", "br"}
 NASTY = "<script>alert('x')</script> & \"part\".stl"
@@ -201,7 +201,7 @@ def test_near_spans_become_one():
 def test_the_worst_block_is_drawn_to_its_true_distances():
     figures = table2()
     u = np.append(np.linspace(0, 1, SAMPLES), figures.deviation.u_segment[1])
-    curve = _driven(figures.kinematics, figures.program.words[0], figures.program.words[1], u)
+    curve = _place_real_tip(figures.kinematics, figures.program.words[0], figures.program.words[1], u)
     flat, chord = _on_plane(curve)
     np.testing.assert_allclose(curve[[0, SAMPLES - 1]], figures.tip, atol=1e-9)
     assert chord == pytest.approx(1.122, abs=1e-3)

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.report import (
     as_text,
     blocks_csv,
     html_page,
-    listed,
+    list_findings,
     markers,
     summary,
 )
@@ -116,7 +116,7 @@ def test_markers_stand_where_the_part_is_entered_and_say_how_deep(entered):
         assert mark.label.endswith(f"line {figures.program.line[mark.block]}")
     deepest = next(mark for mark in marks if mark.kind == "overcut")
     assert deepest.finding is not None and deepest.finding.code == "overcut"
-    rows, places = listed(figures)
+    rows, places = list_findings(figures)
     assert len(places) == len(markers(figures)) and max(places) < len(rows)
 
 

@@ -108,7 +108,7 @@ def test_places_are_projected_as_a_camera_sees_them():
     perspective = np.array(
         [[focal, 0, 0, 0], [0, focal, 0, 0], [0, 0, -1, -1], [0, 0, 0, eye]]
     )  # rows from the left
-    seen = layout.projected(
+    seen = layout.project_places(
         np.array([[10.0, 5.0, 0.0], [0.0, 0.0, 50.0], [0.0, 0.0, 150.0]]), perspective, VIEW
     )
     assert seen[0] == pytest.approx([600.0 * (1.0 + focal * 10.0 / eye), 350.0 * (1.0 + focal * 5.0 / eye)])

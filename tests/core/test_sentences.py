@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.base.sentences import (
     Template,
     Time,
     beginning,
-    joined,
+    join_sentences,
     measure,
     plural,
     render,
@@ -102,7 +102,7 @@ NAMES = {
 
 @pytest.mark.parametrize("named", NAMES)
 def test_settings_choices_and_tasks_have_names_of_their_own_in_a_window(named):
-    said = beginning(joined([say("Split it."), say("{named}", named=named)]))
+    said = beginning(join_sentences([say("Split it."), say("{named}", named=named)]))
     assert render(said, lambda _, text: text, inches, NAMES.__getitem__) == f"Split it. {NAMES[named]}"
 
 
@@ -116,7 +116,10 @@ def test_one_and_many(count, text, told):
 
 
 def test_joined_and_added_sentences_are_translated_one_by_one():
-    said = joined([say("Split it."), "", plural(1, "{count} block leaves", "{count} blocks leave")]) + ": {C}"
+    said = (
+        join_sentences([say("Split it."), "", plural(1, "{count} block leaves", "{count} blocks leave")])
+        + ": {C}"
+    )
     assert said == "Split it. 1 block leaves: {C}"
     assert render(said, german, inches) == "Teilen Sie ihn. 1 Satz verlässt: {C}"
     assert render("X: " + say("Split it."), german, inches) == "X: Teilen Sie ihn."

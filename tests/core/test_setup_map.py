@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from plain import build_settings
 from setup_examples import CENTRE, cap, milled, posting
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
@@ -67,12 +67,19 @@ def chart():
     return setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made), 0.01)
 
 
-@some_in_core("machine", ["trunnion_ac", "trunnion_bc"])
+@some_in_core("machine", ["trunnion_ac", "trunnion_bc"], others=OTHERS_ONCE)
 def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
     """Both rotary axes meet at (0, 0, z) of these machines; the ball's centre belongs there."""
     centre = np.array([0.0, 0.0, load_machine(machine).axes[0].point[2] - CENTRE])
     away = (100.0, 0.0, float(centre[2]))
-    given = {"machine": machine, "stepover": 3.8, "origin": away, "grid": "1,1,1", "region": "120,120,50"}
+    given = {
+        "machine": machine,
+        "stepover": 3.8,
+        "origin": away,
+        "grid": "1,1,1",
+        "region": "120,120,50",
+        "gouge": "off",
+    }
     found = trials.try_setups(build_settings("setup", "cap.stl", given), mesh=cap()).chart
     made = milled(machine)
     at_centre = full_run(made, made.machine, centre, 0.0)[0]
@@ -100,7 +107,7 @@ def test_the_map_agrees_with_a_full_run_at_20_random_setups():
     )
 
 
-@some_in_core("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"])
+@some_in_core("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"], others=OTHERS_ONCE)
 def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
     made = milled(machine, tool_length=80.0, **COARSE)
     region = Region((-50.0, -30.0, 0.0), (40.0, 60.0, 90.0), (2, 1, 1), (1.0,))

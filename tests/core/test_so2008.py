@@ -10,7 +10,7 @@ from five_kinds import KINDS, TABLE_2, interleaved, kinematics_of, mikron_links
 from freecad_fiveaxis.core.machine.kinematics import linear_words
 from freecad_fiveaxis.core.motion.deviation import measure, so2008
 from freecad_fiveaxis.core.motion.deviation.so2008 import line_deviation, model_tip
-from freecad_fiveaxis.core.motion.trajectory import chained_motion, frames, inner, tip, tip_at
+from freecad_fiveaxis.core.motion.trajectory import chain_motion, frames, inner, tip, tip_at
 
 
 @pytest.fixture(params=KINDS)
@@ -55,7 +55,7 @@ def test_table_2_by_equation_8_as_printed_is_not_what_the_paper_prints(mikron):
 def test_equation_8_is_the_printed_one_times_n(mikron):
     """Eqs. (7) and (8) by their own symbols on Table 2, for table-table chains, where G is zero."""
     frame = frames(mikron)
-    move, poses = chained_motion(frame, TABLE_2)
+    move, poses = chain_motion(frame, TABLE_2)
     m0, slope, _ = so2008._linear_inner(inner(frame, poses))
     u = np.linspace(0.0, 1.0, 11)[:, None]
     ours, _ = so2008._eq_8(move, poses, frame, m0, slope, u)

@@ -7,18 +7,18 @@ import math
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import prepare_planes, slice_mesh
 from freecad_fiveaxis.core.passes.scallop import (
+    compute_turn,
     facet_curvature,
     flat_interval,
     kink_factor,
     scallop_height,
-    turned_along,
 )
 from freecad_fiveaxis.core.passes.spacing import AIM
 
@@ -134,7 +134,7 @@ SURFACES |= {f"cylinder {radius} along {axis} deg": cylinder(radius, math.radian
 SURFACES |= {f"sphere {radius}": sphere(radius) for radius in (18, 60, -18, -60)}
 
 
-@some_in_core("name", SURFACES, kept=(0, 4, 9, 13, 16, 20, 21, 23))
+@some_in_core("name", SURFACES, kept=(0, 4, 9, 13, 16, 20, 21, 23), others=OTHERS_ONCE)
 def test_the_scallop_left_is_nearly_what_was_asked_and_never_more(name):
     height = SURFACES[name]
     mesh = patch(height, size=0.5 if "plane" in name else 0.13)
@@ -239,7 +239,7 @@ def test_facets_of_cylinder_and_sphere_have_their_curvature(radius):
         for direction, expected in (((0.0, 1.0, 0.0), 1.0), ((1.0, 0.0, 0.0), round_across)):
             tangent = np.array(direction) - (mesh.normal @ direction)[:, None] * mesh.normal
             tangent /= np.linalg.norm(tangent, axis=1)[:, None]
-            along = (turned_along(tensor, tangent) * tangent).sum(axis=1)
+            along = (compute_turn(tensor, tangent) * tangent).sum(axis=1)
             inner = np.abs(mesh.vertex[mesh.face].mean(axis=1)[:, :2]).max(axis=1) < 4.0
             assert np.median(along[inner]) * radius == pytest.approx(expected, abs=0.02)
 
@@ -266,7 +266,7 @@ def upward(mesh):
     return mesh.normal[:, 2] > -1e-6
 
 
-@some_in_core("angle", [0.0, 0.4, math.pi / 2], kept=(0, 2))
+@some_in_core("angle", [0.0, 0.4, math.pi / 2], kept=(0, 2), others=OTHERS_ONCE)
 def test_sharp_edges_and_upright_walls_stop_nothing(angle):
     mesh = box()
     offsets, found = place_planes(mesh, angle, RADIUS, scallop=SCALLOP, least=LEAST, keep=upward(mesh))

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plain import build_settings
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -154,7 +155,7 @@ def made_with(mesh, given, chart, names=("cutter", "shank", "tool_length")):
     return job.run(settings, mesh=mesh)
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@some_in_core("name", EXAMPLES, others=OTHERS_ONCE)
 def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millimetre_shorter_they_do(name):
     part, more = EXAMPLES[name]
     mesh = from_faces(*parts.PARTS[part]())

@@ -10,7 +10,7 @@ import pytest
 from mesh_shapes import box
 from plain import build_settings
 from scipy.spatial import cKDTree
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.machine import load_machine
@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.machine.kinematics import (
     forward,
     joint_words,
     lift_of,
-    raised,
+    raise_chain,
     words_to_q,
 )
 from freecad_fiveaxis.core.pipeline import driving, job
@@ -128,7 +128,7 @@ def rest(made, centre, spacing=0.2):
     return tree.query(np.einsum("ks,fsx->fkx", share, corner).reshape(-1, 3))[0] - RADIUS
 
 
-@some_in_core("name", list(SOLIDS))
+@some_in_core("name", list(SOLIDS), others=OTHERS_ONCE)
 def test_flat_faces_between_sharp_edges_keep_no_more_than_two_scallops(name):
     """But for the middle of the level dodecagon, 0.1 mm across, where its passes end: that is their own
     way's."""
@@ -248,7 +248,7 @@ def test_the_raised_chain_drives_the_point_above_the_tip(name, origin):
     machine = load_machine(name)
     kinematics, height = chain(machine, Setup(origin, 120.0)), 3.175
     lift = lift_of(kinematics, height, 4)
-    upper, shorter = raised(kinematics, lift), chain(machine, Setup(origin, 120.0 - height))
+    upper, shorter = raise_chain(kinematics, lift), chain(machine, Setup(origin, 120.0 - height))
     rng = np.random.default_rng(3)
     q = np.column_stack([rng.uniform(-80.0, 80.0, (200, 3)), rng.uniform(-3.0, 3.0, (200, 2))])
     tip, axis = forward(kinematics, q)

@@ -2,8 +2,9 @@
 """Parameters of which some stand for all in the core ring; the others are tried too where there is time: in
 `make slow`.
 
-OTHERS_ONCE: larger ones of the same kind, to which it is nothing which numpy is there: not in `make oldest`
-too."""
+OTHERS_ONCE: other parts, machines, sizes, which call the same functions with other numbers: to them it is nothing
+which numpy is there, so they are not tried in `make oldest` too. Kinds that take another way through the
+code (a cutter, a cure, a strategy, an engine) are."""
 
 import pytest
 from _pytest.mark import ParameterSet

@@ -72,7 +72,7 @@ def golden_text(name: str, mode: str, how: str = "", retract: str = "") -> bytes
     path = CLPath(tip, axis, motion, feed, tip, axis, none, none, none)
     joints = JointPath(path, np.arange(len(q)), q, np.zeros(len(q), np.int8), np.ones(len(q)))
     dialect = with_start(DIALECTS[name], SafeStart(retract) if retract else SafeStart(BY_MACHINE, -1.0))
-    dialect = dialect.guided(how) if how else dialect
+    dialect = dialect.guide_by(how) if how else dialect
     program = build_program(joints, kinematics, dialect, mode == "g93")
     options = PostOptions(tool=2, speed=12000, coolant=True, cutter="ball 10 mm", length=120.0)
     return write_nc(program, dialect, "golden", options, height=PLANE)

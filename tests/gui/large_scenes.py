@@ -8,7 +8,7 @@ import numpy as np
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.gouge import RestMaterial
 from freecad_fiveaxis.core.report import draw
-from freecad_fiveaxis.core.report.drawing import STROKES, _paired, _stroke_ends
+from freecad_fiveaxis.core.report.drawing import STROKES, _pair_ends, _stroke_ends
 from freecad_fiveaxis.core.report.thinning import COATS
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 from freecad_fiveaxis.gui.scene import marks, nodes, path_nodes, words
@@ -41,7 +41,7 @@ def long_path(count):
     start, end = _stroke_ends(np.arange(1, count + 1), np.full(count + 1, Motion.CUT), STROKES)
     level = 0.5 * np.abs(np.sin(turn[end] * 3.0))
     level[::1000] = 0.9
-    return _paired(points[start - 1], points[end]), level
+    return _pair_ends(points[start - 1], points[end]), level
 
 
 def _all_cut(level):

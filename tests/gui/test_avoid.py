@@ -181,20 +181,20 @@ def test_rows_are_removed_cancel_and_undo_take_back(
     screenshot("avoid_lit_up")
     click(field("avoid_remove"))
     assert avoid.value() == (low,) and panel.stale
-    assert panel.calculate() and tessellation.avoided(path.Mesh) == (low,)
+    assert panel.calculate() and tessellation.name_avoided(path.Mesh) == (low,)
     pump(200)
     panel_button("Cancel")
     panel_closed()
-    assert tessellation.avoided(path.Mesh) == (high, low) and results.nc_of(path) == nc
+    assert tessellation.name_avoided(path.Mesh) == (high, low) and results.nc_of(path) == nc
 
     panel = toolpath.edit(path)
     pump(300)
     panel.options.show_options({"avoid": [low]})
     panel_button("OK")
     panel_closed()
-    assert tessellation.avoided(path.Mesh) == (low,) and results.nc_of(path) != nc
+    assert tessellation.name_avoided(path.Mesh) == (low,) and results.nc_of(path) != nc
     press("Std_Undo", 500)
-    until(lambda: tessellation.avoided(path.Mesh) == (high, low), 20000, "undone")
+    until(lambda: tessellation.name_avoided(path.Mesh) == (high, low), 20000, "undone")
     assert results.nc_of(path) == nc and not results.out_of_date(path)
 
 

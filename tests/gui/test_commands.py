@@ -224,7 +224,7 @@ def test_several_paths_ask_for_one_and_children_stand_for_theirs(path, press, se
     until(lambda: doc.getObject("Markers"), 20000, "markers")
     assert [obj.Path for obj in doc.Objects if selected.kind_of(obj) == "Markers"] == [other]
     select(doc.Markers)
-    assert selected.selected_path(selected.TOOLPATH) is other
+    assert selected.find_selected_path(selected.TOOLPATH) is other
 
 
 def test_a_path_that_cannot_be_computed_says_why(path, press, modal, until):

@@ -278,7 +278,7 @@ def test_a_new_group_of_settings_gets_its_section_its_fields_and_its_properties(
     )
     assert box.title == "Surface"
     until(
-        lambda: field("surface_browse").isVisible() and field("sideways").measured() == 0.5,
+        lambda: field("surface_browse").isVisible() and field("sideways").read_measure() == 0.5,
         20000,
         "its fields",
     )

@@ -78,7 +78,7 @@ def test_a_row_that_is_picked_moves_the_view_there(audit, doc, pump, click, scre
 
 def test_every_finding_and_every_marker_has_a_row(audit):
     figures = results.figures_of(audit)
-    rows, of_marker = report.listed(figures)
+    rows, of_marker = report.list_findings(figures)
     assert {row.finding for row in rows} >= set(figures.findings)
     for mark, at in zip(report.markers(figures), of_marker, strict=True):
         assert rows[at].finding.block == mark.block and rows[at].kind == mark.kind

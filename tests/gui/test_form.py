@@ -90,7 +90,7 @@ def test_at_its_narrowest_every_text_of_a_form_is_to_be_read(doc, dome, language
     from freecad_fiveaxis.app import changes
 
     panel = toolpath.ToolpathPanel(doc, dome)
-    panel.fill(changes.default_options("mill") | toolpath.preferred())
+    panel.fill(changes.default_options("mill") | toolpath.read_preferred())
     for group in panel.options.groups.values():
         group.unfold()
     panel.form.resize(NARROW - 30, 900)  # what FreeCAD 1.1's panel leaves of its width

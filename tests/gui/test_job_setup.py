@@ -109,7 +109,7 @@ def test_the_values_of_a_path_are_shared(doc, dome, modal, click, pump, until):
 
 def test_boxes_that_count_for_nothing_are_not_shown(doc, dome, pump, screenshot, until):
     made = app.create_setup(doc, machine="trunnion_bc", work_zero=(0, 0, 20))
-    dialog = job_setup.SetupDialog(doc, {"setup_name": made.Label} | job_setup.shown(made), made)
+    dialog = job_setup.SetupDialog(doc, {"setup_name": made.Label} | job_setup.read_values(made), made)
     dialog.show()
     pump(300)
     origin = dialog.options.fields["origin"]

@@ -45,10 +45,12 @@ def test_what_is_typed_is_read_in_any_unit(schema):
     ):
         box.lineEdit().setText(text)
         box.interpretText()
-        assert box.measured() == pytest.approx(mm, rel=1e-9), text
+        assert box.read_measure() == pytest.approx(mm, rel=1e-9), text
     box.lineEdit().setText("rubbish")
     box.interpretText()
-    assert box.measured() == pytest.approx(3.0) and box.text().startswith("0.11811 in" if inch else "3 mm")
+    assert box.read_measure() == pytest.approx(3.0) and box.text().startswith(
+        "0.11811 in" if inch else "3 mm"
+    )
 
 
 def test_angles():
@@ -57,7 +59,7 @@ def test_angles():
     assert box.text() == "27.5°"
     box.lineEdit().setText("0.1 rad")
     box.interpretText()
-    assert box.measured() == pytest.approx(5.72957795, rel=1e-6)
+    assert box.read_measure() == pytest.approx(5.72957795, rel=1e-6)
 
 
 def test_summary_and_readout(schema):

@@ -385,13 +385,13 @@ def test_what_a_cure_of_gouges_did_is_in_the_summary(code):
         Finding(Severity.NOTE, "other", "No cure.", 0.0, 0.0, "mm"),
     )
     last = SimpleNamespace(figures=SimpleNamespace(findings=found))
-    assert summary.cured(SimpleNamespace(Proxy=SimpleNamespace(last=last))) == ["Something was done."]
+    assert summary.list_cures(SimpleNamespace(Proxy=SimpleNamespace(last=last))) == ["Something was done."]
 
 
 def test_every_option_stands_in_the_group_that_the_property_editor_has_it_in_or_under_more(panel):
-    from freecad_fiveaxis.app.properties import group_of, shown_options
+    from freecad_fiveaxis.app.properties import group_of, list_options
 
-    for cls, leaf in shown_options("mill"):
+    for cls, leaf in list_options("mill"):
         name = {"scallop": "spacing", "stepover": "spacing"}.get(leaf.name, leaf.name)
         editor = panel.options.fields[name].editor
         (group,) = [group for group in panel.options.groups.values() if group.isAncestorOf(editor)]
@@ -554,7 +554,7 @@ def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(
     doc.clearUndos()
     tree_row("Toolpath", double=True)
     until(FreeCADGui.Control.activeDialog, 20000, "the panel of the path")
-    until(lambda: shown("cutter_diameter").measured() == 6.0, 20000, "its cutter")
+    until(lambda: shown("cutter_diameter").read_measure() == 6.0, 20000, "its cutter")
     panel_button("Cancel")
     panel_closed()
     assert doc.UndoCount == 0 and doc.Toolpath.Blocks > 100

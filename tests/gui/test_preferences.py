@@ -104,7 +104,7 @@ def test_feeds_are_shown_in_inches_where_the_user_has_inches(ours, parameters):
         page = Page()
         page.loadSettings()
         assert page.form.findChild(QtWidgets.QDoubleSpinBox, "Feed").text() == "60.0 in/min"
-        assert page.shown("Feed") == pytest.approx(25.4)
+        assert page.read_shown("Feed") == pytest.approx(25.4)
     finally:
         FreeCAD.Units.setSchema(0)
 
@@ -143,7 +143,7 @@ def test_the_page_shows_and_keeps_every_parameter(ours, window):
     page.saveSettings()
     again.loadSettings()
     for key, value in given.items():
-        for found in (preferences.read(key), again.shown(key)):
+        for found in (preferences.read(key), again.read_shown(key)):
             assert found == (pytest.approx(value) if isinstance(value, float) else value), key
 
 
@@ -151,9 +151,9 @@ def test_reset_shows_the_defaults_again(ours, window):
     preferences.write("Machine", "trunnion_bc")
     page = Page()
     page.loadSettings()
-    assert page.shown("Machine") == "trunnion_bc"
+    assert page.read_shown("Machine") == "trunnion_bc"
     page.resetSettingsToDefaults()
-    assert page.shown("Machine") == preferences.DEFAULTS["Machine"]
+    assert page.read_shown("Machine") == preferences.DEFAULTS["Machine"]
     assert not ours.GetContents()
 
 

@@ -216,7 +216,7 @@ def test_gouges_have_their_own_marks_labels_and_words(
 @pytest.mark.parametrize("cure", ["report", "lift", "leave-out"])
 def test_every_gouge_has_one_row_in_the_list_of_findings(cure, make_path):
     figures = results.figures_of(make_path(gouge=cure, rest="on"))
-    rows, of_marker = report.listed(figures)
+    rows, of_marker = report.list_findings(figures)
     assert {row.finding for row in rows} >= set(figures.findings)
     assert len({(row.kind, row.finding.block, row.finding.place) for row in rows}) == len(rows), (
         "a finding is listed twice"

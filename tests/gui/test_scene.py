@@ -93,7 +93,7 @@ def _pixels(colour):
 
 def test_the_colours_are_calm_below_the_tolerance_and_loud_above():
     levels = np.array([0.0, 0.5, np.nextafter(0.5, 1), 1.0])
-    got = colours.packed(levels, GOOD, BAD)
+    got = colours.pack_levels(levels, GOOD, BAD)
     assert got[0] == pytest.approx(colours.pack(GOOD)) and got[3] == colours.pack(BAD)
     light = [
         colours._to_lab(np.array([(code >> shift & 255) / 255 for shift in (24, 16, 8)]))[0]
@@ -133,8 +133,8 @@ def test_the_path_is_seen_in_its_colours(dome, scene, screenshot, view_box, unti
     for part in ("axes", "marks", "curves", "rapids"):
         picture.turn(part, False)
     scene(picture.root)
-    used = set(colours.packed(drawing.level, GOOD, BAD).tolist())
-    loud = used & set(colours.packed(drawing.level[drawing.level > 0.5], GOOD, BAD).tolist())
+    used = set(colours.pack_levels(drawing.level, GOOD, BAD).tolist())
+    loud = used & set(colours.pack_levels(drawing.level[drawing.level > 0.5], GOOD, BAD).tolist())
     assert loud and len(loud) < len(used)
     left, top, width, height = view_box()
 
@@ -366,14 +366,14 @@ def test_labels_stand_beside_a_panel_that_lies_over_the_view(scene, doc, until, 
     view = scene(nodes.separate(ball, label.root))
     size = view.getSize()
     toolpath.create(box)
-    until(lambda: len(covers.covered_boxes(size)), 20000, "a panel over the view")
-    covered = covers.covered_boxes(size)
+    until(lambda: len(covers.find_covered_boxes(size)), 20000, "a panel over the view")
+    covered = covers.find_covered_boxes(size)
     place = view.getPoint(int(covered[0, 0]) - 40, int(covered[0, 1] + covered[0, 3]) // 2)
     label.show([on_screen.Label(tuple(place), "0.1278 mm, NC line 1000, left of the panel", BAD)])
     until(lambda: view.redraw() or len(standing(label)), 20000, "the label")
     screenshot("scene-covered")
     assert not overlapping(np.concatenate([standing(label), covered]))
-    monkeypatch.setattr(on_screen, "covered_boxes", lambda size: layout.NONE)
+    monkeypatch.setattr(on_screen, "find_covered_boxes", lambda size: layout.NONE)
     label.show([on_screen.Label(tuple(place), "0.1278 mm, NC line 1000, left of the panel", BAD)])
     until(lambda: view.redraw() or len(standing(label)), 20000, "the label")
     assert overlapping(np.concatenate([standing(label), covered])), "it would have stood there"
@@ -474,7 +474,7 @@ def test_a_marker_is_found_under_the_mouse(behind, dome, scene):
         action.apply(root)
         point = action.getPickedPoint()
         if point is not None:
-            found.append(np.linalg.norm(places[made.picked(point)][:2] - places[row][:2]))
+            found.append(np.linalg.norm(places[made.find_picked(point)][:2] - places[row][:2]))
     assert len(found) == len(range(0, len(places), 7))
     assert max(found) < 1.5  # mm: a neighbour that covers it
 
@@ -604,7 +604,7 @@ def test_markers_have_a_size_between_bounds_and_do_not_cover_a_far_part(pixels_o
     shown = {int(shape.numPoints.getValue()) for shape, _, _ in made.many}
     assert len(shown) == 1 and (shown == {2000} if pixels_of_part == 4000.0 else shown.pop() >= marks.FEW)
     (one, *_) = made.many
-    size = marks.suited_size(pixels_of_part, marks.least_size(14.0), 14.0) ** 2
+    size = marks.choose_size(pixels_of_part, marks.least_size(14.0), 14.0) ** 2
     assert one[0].numPoints.getValue() * size <= max(
         0.5 * marks.COVERED * pixels_of_part**2, marks.FEW * size
     )

@@ -120,7 +120,7 @@ def test_deviations_of_blocks_that_will_be_divided_say_so(dome, doc, path):
     assert made.DeviationBefore > path.Tolerance >= path.MaxSurfaceDeviation, (
         "which is why that has to be said"
     )
-    assert setup.applied_words(path).startswith(
+    assert setup.describe_applied(path).startswith(
         "Applied: the largest deviation of the divided blocks is now 0.00"
     )
 

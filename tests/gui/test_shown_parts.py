@@ -203,10 +203,10 @@ def test_the_legend_names_the_kinds_of_moves_that_are_shown(path):
         legend = words.legend_of("Path", picture.figures, picture._look(), "", (), shown)
         return [text.split(",")[0].split(" ")[0] for _, text in legend.keys]
 
-    assert picture._shown() == ["cuts", "links"]
-    assert texts(picture._shown())[:2] == ["cut", "link"] and "rapid" not in texts(picture._shown())
+    assert picture._list_shown() == ["cuts", "links"]
+    assert texts(picture._list_shown())[:2] == ["cut", "link"] and "rapid" not in texts(picture._list_shown())
     path.ViewObject.ShowRapids = True
-    assert texts(picture._shown())[:3] == ["cut", "link", "rapid"]
+    assert texts(picture._list_shown())[:3] == ["cut", "link", "rapid"]
 
 
 def test_the_legend_ends_at_the_tolerance_or_at_the_largest_deviation(path):
@@ -250,10 +250,10 @@ def test_the_legend_folds_to_a_line_by_the_menu_and_unfolds(path, until, screens
 def test_a_folded_legend_still_warns():
     from freecad_fiveaxis.gui.scene import overlay, words
 
-    folded = words.empty_legend("Path", "The path is out of date").folded()
+    folded = words.empty_legend("Path", "The path is out of date").fold()
     assert folded.title == "Path: The path is out of date" and folded.ink == overlay.WARN
     assert overlay.legend_picture(folded).height() < 50
-    long = words.empty_legend("Path", 40 * "words ").folded()
+    long = words.empty_legend("Path", 40 * "words ").fold()
     assert len(long.title) <= overlay.FOLDED_WIDTH + 1 and long.title.endswith("…")
 
 

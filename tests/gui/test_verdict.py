@@ -79,7 +79,7 @@ def test_the_summary_shows_the_light_in_its_colour_until_the_settings_change(pan
     until(lambda: coloured(screenshot("verdict_red"), "red") > 2000, 30000, "the verdict in red")
     assert coloured(screenshot("verdict_red"), "amber") == 0
     opened.options.show_options({"linearize": "on", "gouge": "lift"})
-    opened._edited()
+    opened._on_edit()
     until(lambda: not label.isVisible(), 20000, "no verdict of other settings")
     assert opened.calculate()
     until(lambda: label.text() == opened.obj.Verdict, 20000, "the new verdict")

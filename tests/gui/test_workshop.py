@@ -212,18 +212,18 @@ def test_the_mark_starts_at_the_top_of_the_part_in_work_coordinates(
     doc.recompute()
     press("FiveAxis_ProveSigns", SLID)
     until(
-        lambda: [field(f"mark_{letter}").measured() for letter in "xyz"] == [30.0, 20.0, 40.0],
+        lambda: [field(f"mark_{letter}").read_measure() for letter in "xyz"] == [30.0, 20.0, 40.0],
         20000,
         "the top of the part",
     )
     type_into(field("work_zero_z"), "25 mm")
-    until(lambda: field("mark_z").measured() == 15.0, 20000, "the top counted from the work zero")
+    until(lambda: field("mark_z").read_measure() == 15.0, 20000, "the top counted from the work zero")
     click(field("calculate"))
     until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
     assert "Nothing may stand" not in shown(field, "result")
     type_into(field("mark_z"), "60 mm")
     type_into(field("work_zero_z"), "0 mm")
-    assert field("mark_z").measured() == 60.0, "what the user has given stays"
+    assert field("mark_z").read_measure() == 60.0, "what the user has given stays"
 
 
 def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(
@@ -302,11 +302,11 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     click(field("mark_pick"))
     view_click((40, 0, 12))
     until(
-        lambda: field("mark_x").measured() == pytest.approx(30, abs=1e-6),
+        lambda: field("mark_x").read_measure() == pytest.approx(30, abs=1e-6),
         20000,
         "the corner, from the work zero",
     )
-    mark = [field(f"mark_{letter}").measured() for letter in "xyz"]
+    mark = [field(f"mark_{letter}").read_measure() for letter in "xyz"]
     assert mark == pytest.approx([30, -5, 12], abs=1e-6)
     panel_button("OK", 800)
     panel_closed()

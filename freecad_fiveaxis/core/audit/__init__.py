@@ -10,7 +10,7 @@ from .against_cl import AgainstPath, against_path
 from .against_part import AgainstPart, against_part
 from .judge import Audit, AuditOptions, audit_program
 from .limits import Limits, check_limits
-from .rates import Rates, commanded_rates, feed_findings, rate_findings, timed_feeds
+from .rates import Rates, compute_commanded_rates, feed_findings, find_timed_feeds, rate_findings
 from .tool_in_part import tool_in_part
 
 __all__ = [
@@ -24,9 +24,9 @@ __all__ = [
     "against_path",
     "audit_program",
     "check_limits",
-    "commanded_rates",
+    "compute_commanded_rates",
     "feed_findings",
+    "find_timed_feeds",
     "rate_findings",
-    "timed_feeds",
     "tool_in_part",
 ]  # fmt: skip

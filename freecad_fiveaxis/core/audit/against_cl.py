@@ -99,11 +99,11 @@ def against_path(
     lines = Segments(path.tip[:-1], path.tip[1:])
     pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(kinematics, program, above)
 
-    def measured(place: Floats) -> Floats:
-        return search(place, pieces, lines.squared, nearest, 2, ROUGH, progress)
+    def measure(place: Floats) -> Floats:
+        return search(place, pieces, lines.square_distances, nearest, 2, ROUGH, progress)
 
     found = (
-        peaks(real, rows, measured, _bound(lines), tolerance, progress)
+        peaks(real, rows, measure, _bound_distance(lines), tolerance, progress)
         if len(rows)
         else Peaks(np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0))
     )
@@ -114,7 +114,7 @@ def against_path(
         else np.zeros((0, 3))
     )
     at_end = _at_ends(path, lines, pieces, ends, stands, tolerance, progress)
-    missed, distance = _missed(real, rows, deviation, path, tolerance, progress)
+    missed, distance = _find_missed(real, rows, deviation, path, tolerance, progress)
     against = AgainstPath(
         rows, found.value, found.u, found.place, found.bound, at_end[:, 0], at_end[:, 1], missed, distance
     )  # fmt: skip
@@ -124,7 +124,7 @@ def against_path(
     return AgainstPath(**{**vars(against), "findings": findings})
 
 
-def _bound(lines: Segments) -> Callable[[Ends], Floats]:
+def _bound_distance(lines: Segments) -> Callable[[Ends], Floats]:
     last = len(lines.start) - 1
 
     def upper(ends: Ends) -> Floats:
@@ -133,7 +133,7 @@ def _bound(lines: Segments) -> Callable[[Ends], Floats]:
             part = ends.take(rows)
             near = part.value[:, :, 1].astype(np.int64)
             tried = np.clip(np.concatenate([near + step for step in (-1, 0, 1)]).T, 0, last)
-            both = np.maximum(*(lines.squared(part.place[side], tried) for side in (0, 1)))
+            both = np.maximum(*(lines.square_distances(part.place[side], tried) for side in (0, 1)))
             straight = np.sqrt(both.min(axis=1)) + part.bend / 8.0
             least[rows] = np.minimum(least[rows], straight)
         return least
@@ -154,8 +154,8 @@ def _at_ends(
     ``axis`` (n, 3)."""
     with_axis = np.concatenate([places, axis], axis=1)
 
-    def squared(here: Floats, element: Ints) -> Floats:
-        return lines.squared(here, element)
+    def square_distances(here: Floats, element: Ints) -> Floats:
+        return lines.square_distances(here, element)
 
     def resolve(here: Floats, element: Ints, distance2: Floats) -> Floats:
         least = np.sqrt(distance2.min(axis=1))
@@ -165,7 +165,7 @@ def _at_ends(
         angle = np.where(near, _angles(path, lines, here[:, :3], here[:, 3:], at), np.inf)
         return np.column_stack([least, angle.min(axis=1)])
 
-    return search(with_axis, pieces, squared, resolve, 2, ROUGH, progress)
+    return search(with_axis, pieces, square_distances, resolve, 2, ROUGH, progress)
 
 
 def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element: Ints) -> Floats:
@@ -184,7 +184,7 @@ def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element:
     return np.asarray(2.0 * np.arcsin(np.clip(np.linalg.norm(here - meant, axis=-1) / 2.0, 0.0, 1.0)))
 
 
-def _missed(
+def _find_missed(
     real: RealPath, rows: Ints, deviation: Deviation, path: CLPath, tolerance: float, progress: Progress
 ) -> tuple[Ints, Floats]:
     """Return the rows of the CL path reached at feed that the real path of the feed blocks misses by more
@@ -198,7 +198,9 @@ def _missed(
     step = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
     share = [(step + more) / count[block] for more in (0.0, 1.0)]
     chords = Segments(*(real.places(rows[block], u) for u in share))
-    distance = search(path.tip[wanted], chords.pieces(), chords.squared, nearest, 2, ROUGH, progress)[:, 0]
+    distance = search(
+        path.tip[wanted], chords.pieces(), chords.square_distances, nearest, 2, ROUGH, progress
+    )[:, 0]
     far = distance > tolerance + spare
     return wanted[far], distance[far]
 
@@ -265,7 +267,7 @@ def _findings(
     if len(leaning):
         found.append(_axis_finding(program, against, leaning, axis_tolerance))
     if len(against.missed):
-        found.append(_missed_finding(against, path, tolerance))
+        found.append(_report_missed(against, path, tolerance))
     return tuple(found)
 
 
@@ -328,7 +330,7 @@ def _axis_finding(program: Program, against: AgainstPath, at: Ints, tolerance: f
     return report_finding(Code.AXIS_OFF_CL_PATH, text, lean, math.degrees(tolerance), row, line)
 
 
-def _missed_finding(against: AgainstPath, path: CLPath, tolerance: float) -> Finding:
+def _report_missed(against: AgainstPath, path: CLPath, tolerance: float) -> Finding:
     worst, first = int(against.distance.argmax()), int(against.missed[0])
     text = say(
         "{count} rows of the CL file are not cut: no feed block comes within {tolerance} of them. The first "

@@ -69,12 +69,12 @@ def against_part(
     pieces, rows = facets.pieces(), feed_blocks(program)
     real = RealPath(kinematics, program, radius)
 
-    def measured(place: Floats) -> Floats:
+    def measure(place: Floats) -> Floats:
         return radius - _distance(place, facets, pieces, (1.0 + NEAR) * radius, progress)[:, None]
 
     if not len(rows):
         return AgainstPart(rows, np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0), 0.0)
-    found = peaks(real, rows, measured, _bound(radius), tolerance, progress)
+    found = peaks(real, rows, measure, _bound_depth(radius), tolerance, progress)
     ends = real.places(rows, np.ones(len(rows)))
     clear = pieces.clear_by(ends)
     farthest = ends[clear >= clear.max() - 2.0 * pieces.reach]
@@ -113,10 +113,10 @@ def _distance(
 
 
 def _exact(place: Floats, facets: Facets, pieces: Pieces, progress: Progress) -> Floats:
-    return search(place, pieces, facets.squared, facets.signed, 2, progress=progress)[:, 0]
+    return search(place, pieces, facets.square_distances, facets.sign_distances, 2, progress=progress)[:, 0]
 
 
-def _bound(radius: float) -> Callable[[Ends], Floats]:
+def _bound_depth(radius: float) -> Callable[[Ends], Floats]:
     def upper(ends: Ends) -> Floats:
         depth = ends.value[:, :, 0]
         nearest = radius - depth.max(axis=0)  # of the two ends

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 from .against_cl import AgainstPath, against_path
 from .against_part import AgainstPart, against_part
 from .limits import Limits, check_limits
-from .rates import Rates, commanded_rates, feed_findings, rate_findings
+from .rates import Rates, compute_commanded_rates, feed_findings, rate_findings
 from .tool_in_part import is_ball, tool_in_part
 from .units import units_against
 
@@ -70,7 +70,7 @@ def audit_program(
     progress: Progress = silent,
 ) -> Audit:  # fmt: skip
     """Return the audit of a program whose deviation is measured, against a CL path, a part, or neither."""
-    rates, limits = commanded_rates(kinematics, program, progress), check_limits(kinematics, program)
+    rates, limits = compute_commanded_rates(kinematics, program, progress), check_limits(kinematics, program)
     found = (
         *limits.findings,
         *rate_findings(kinematics, program, rates),

@@ -55,7 +55,7 @@ class Rates:
         freeze(self, None, rate="f5", ratio="f", axis="m", tip_feed="f", travel="f")
 
 
-def commanded_rates(kinematics: Chain, program: Program, progress: Progress = silent) -> Rates:
+def compute_commanded_rates(kinematics: Chain, program: Program, progress: Progress = silent) -> Rates:
     """Return what the F words of ``program`` ask for, block by block."""
     count = len(program.words)
     rate, ratio, tip_feed, travel = np.zeros((5, count)).T, np.zeros(count), np.zeros(count), np.zeros(count)
@@ -89,7 +89,7 @@ def _tip_travel(kinematics: Chain, program: Program, q: Floats, rows: slice) -> 
     return np.where(on, straight, tip_travel(kinematics, q, wanted & ~on))
 
 
-def timed_feeds(program: Program) -> Ints:
+def find_timed_feeds(program: Program) -> Ints:
     """Return the feed blocks whose time is known."""
     feeds = feed_blocks(program)
     return feeds[program.seconds[feeds] > 0.0]
@@ -125,7 +125,7 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
 def feed_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
     """Return a finding where the tip moves over the part at quite another speed than F says (G94), or than
     elsewhere (G93)."""
-    rows = timed_feeds(program)
+    rows = find_timed_feeds(program)
     rows = rows[rates.travel[rows] > STILL]
     inverse = program.inverse_time[rows]
     return (

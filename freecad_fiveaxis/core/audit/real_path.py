@@ -53,13 +53,16 @@ class RealPath:
         return place
 
     def _places(self, row: Ints, u: Floats) -> Floats:
-        real = self._driven(row, u)
+        real = self._place_driven_point(row, u)
         if self.program.guided is None or not (on := self.program.guided.on[row]).any():
             return real
-        start, end = self._driven(row, np.zeros(len(row))), self._driven(row, np.ones(len(row)))
+        start, end = (
+            self._place_driven_point(row, np.zeros(len(row))),
+            self._place_driven_point(row, np.ones(len(row))),
+        )
         return np.where(on[:, None], start + u[:, None] * (end - start), real)
 
-    def _driven(self, row: Ints, u: Floats) -> Floats:
+    def _place_driven_point(self, row: Ints, u: Floats) -> Floats:
         words = self.program.words
         start, end = words[np.maximum(row - 1, 0)], words[row]
         tip = tip_at(self.kinematics, start, end, u)

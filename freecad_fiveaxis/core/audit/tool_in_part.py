@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
-from freecad_fiveaxis.core.base.sentences import Option, joined, say
+from freecad_fiveaxis.core.base.sentences import Option, join_sentences, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import check_program
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -70,4 +70,4 @@ def _with_remedy(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     if not findings or findings[0].code == Code.INDEPENDENT_RAPID:
         return findings
     first, *others = findings
-    return (replace(first, text=joined((first.text, REMEDY))), *others)
+    return (replace(first, text=join_sentences((first.text, REMEDY))), *others)

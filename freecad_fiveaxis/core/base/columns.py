@@ -102,12 +102,12 @@ def dot(row: Sequence[float], columns: Columns) -> Column:
     return total
 
 
-def mapped(matrix: Matrix, columns: Columns) -> list[Column]:
+def map_vectors(matrix: Matrix, columns: Columns) -> list[Column]:
     """Return the matrix (3, 3) times the vectors."""
     return [dot(row, columns) for row in matrix]
 
 
-def added(a: Columns, b: Columns) -> list[Column]:
+def add_vectors(a: Columns, b: Columns) -> list[Column]:
     """Return the vectors a + b."""
     return [plus(x, y) for x, y in zip(a, b, strict=True)]
 
@@ -122,7 +122,7 @@ def scalar(a: Columns, b: Columns) -> Column:
     return plus(times(a[0], b[0]), plus(times(a[1], b[1]), times(a[2], b[2])))
 
 
-def crossed(a: Columns, b: Columns) -> list[Column]:
+def cross_vectors(a: Columns, b: Columns) -> list[Column]:
     """Return the vector products a x b."""
     return [minus(times(a[i], b[j]), times(a[j], b[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
 
@@ -145,7 +145,9 @@ class Turn:
 
     def of(self, v: Columns, cos: Column, sin: Column) -> list[Column]:
         """Return the vectors ``v``, turned."""
-        parts = zip(mapped(self.along, v), mapped(self.across, v), mapped(self.cross, v), strict=True)
+        parts = zip(
+            map_vectors(self.along, v), map_vectors(self.across, v), map_vectors(self.cross, v), strict=True
+        )
         return [plus(along, plus(times(cos, across), times(sin, cross))) for along, across, cross in parts]
 
     def of_ez(self, cos: Floats, sin: Floats) -> list[Column]:

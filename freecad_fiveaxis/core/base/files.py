@@ -20,7 +20,7 @@ from io import BufferedReader
 from .errors import FileError
 from .memory import check_memory
 from .sentences import say
-from .signals import deferred, raise_received
+from .signals import defer_signals, raise_received
 
 PathName = str | os.PathLike[str]
 
@@ -182,7 +182,7 @@ def write_all(files: Mapping[str, bytes] | Mapping[PathName, bytes]) -> None:
     for path in files:
         check_target(path)
     raise_received()
-    with deferred():
+    with defer_signals():
         outputs = [_Output(path, data) for path, data in files.items()]
         at = None
         try:

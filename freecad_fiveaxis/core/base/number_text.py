@@ -92,7 +92,7 @@ def table_parts(
     parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent
 ) -> Iterator[bytes | memoryview]:
     """Yield the same, in portions of CHUNK rows, for writing to a file as they come."""
-    rows = _checked_rows(parts, end)
+    rows = _check_rows(parts, end)
 
     def text(start: int) -> bytes | memoryview:
         return _chunk([_slice(part, start) for part in (*parts, end)], min(CHUNK, rows - start))
@@ -106,7 +106,7 @@ def _tell(progress: Progress, first: int, stop: int, rows: int, done: float) -> 
     progress("writing text", (first + done * (stop - first)) / rows)
 
 
-def rounded(values: Floats, decimals: int) -> Floats:
+def round_as_printed(values: Floats, decimals: int) -> Floats:
     """Return the doubles nearest to ``values`` as printed with ``decimals``; -0 becomes 0, so that no text
     reads "-0.0000"."""
     scale = 10.0**decimals
@@ -131,7 +131,7 @@ def nearest_whole(values: Floats) -> Ints:
     return whole
 
 
-def _checked_rows(parts: Sequence[Part], end: bytes) -> int:
+def _check_rows(parts: Sequence[Part], end: bytes) -> int:
     lengths = {
         len(part.codes if isinstance(part, Choice) else part.values)
         for part in parts
@@ -182,7 +182,7 @@ def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
     """
     pieces: list[tuple[Ints | slice, _Piece]] = []
     for part in parts:
-        place, shown = _shown(part)
+        place, shown = _select_rows(part)
         found = _pieces(shown, rows)
         if found is None:
             return _by_percent(parts, rows)
@@ -198,7 +198,7 @@ def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
     return kept.data
 
 
-def _shown(part: Part) -> tuple[Ints | slice, Part]:
+def _select_rows(part: Part) -> tuple[Ints | slice, Part]:
     """Return the rows to work out of a part, and the part of these rows: of a word that is often left out
     only those where it stands."""
     if isinstance(part, (bytes, Choice)) or part.show is None:
@@ -217,7 +217,7 @@ def _pieces(part: Part, rows: int) -> list[_Piece] | None:
         return [_Piece(np.broadcast_to(_texts((part,)), (rows,)))] if part else []
     if isinstance(part, Choice):
         return [_Piece(_texts(tuple(part.texts)).take(part.codes))] if any(part.texts) else []
-    scaled = _scaled(part)
+    scaled = _scale_values(part)
     top = float(
         scaled.view(np.uint64).max(initial=0)
     )  # the least int64 has no absolute value, and comes out huge
@@ -235,7 +235,7 @@ def _pieces(part: Part, rows: int) -> list[_Piece] | None:
     return pieces
 
 
-def _scaled(part: Column | Units) -> Ints:
+def _scale_values(part: Column | Units) -> Ints:
     """|values| in units of the last decimal, rounded as ``%`` rounds; not below EXACT where a double cannot
     hold that exactly."""
     if part.values.dtype.kind != "f":
@@ -298,7 +298,7 @@ def _decimals(fraction: Ints, decimals: int) -> list[_Piece]:
     for left in range(decimals, 0, -4):
         rest = 10 ** max(left - 4, 0)
         digits = fraction // rest if rest > 1 else fraction
-        pieces.append(_Piece(_pick(_fixed(min(left, 4)), digits)))
+        pieces.append(_Piece(_pick(_pad_digits(min(left, 4)), digits)))
         if rest > 1:
             fraction = fraction - digits * rest
     return pieces
@@ -348,7 +348,7 @@ def _digits(width: int) -> NDArray[np.uint8]:
 
 
 @lru_cache(maxsize=8)
-def _fixed(width: int) -> NDArray[Any]:
+def _pad_digits(width: int) -> NDArray[Any]:
     """``width`` digits with leading zeros."""
     return _digits(width).view(_WORDS.get(width, f"V{width}"))[:, 0]
 

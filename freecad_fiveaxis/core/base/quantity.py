@@ -32,11 +32,11 @@ def parse(text: str | float, units: dict[str, float], what: str) -> float:
             say(
                 "{what} {text} is not a number with one of the units {known}",
                 what=what,
-                text=shown(text),
+                text=show_given(text),
                 known=known,
             )
             if known
-            else say("{what} {text} is not a number", what=what, text=shown(text)),
+            else say("{what} {text} is not a number", what=what, text=show_given(text)),
             text,
         )
     return float(match.group(1)) * units[match.group(2).lower()]
@@ -87,14 +87,16 @@ def _stack_row(text: str, what: str) -> tuple[float, float]:
     if len(rows) != 1:
         raise SettingsError(
             say(
-                "{what} {text} is no cylinder; write diameter x length, as 40x25", what=what, text=shown(text)
+                "{what} {text} is no cylinder; write diameter x length, as 40x25",
+                what=what,
+                text=show_given(text),
             ),
             text,
         )
     return rows[0]
 
 
-def shown(given: object) -> str:
+def show_given(given: object) -> str:
     """Return what was given, for a message: a text or number as it is, of anything else the beginning."""
     return repr(given) if isinstance(given, str | float) else reprlib.repr(given)
 
@@ -121,7 +123,7 @@ def parse_triple(
     parts = text.split(",") if isinstance(text, str) else list(text)
     if len(parts) != 3:
         raise SettingsError(
-            say("{what} {text} needs three numbers, as 0,0,50", what=what, text=shown(text)), text
+            say("{what} {text} needs three numbers, as 0,0,50", what=what, text=show_given(text)), text
         )
     x, y, z = (parse(part, units, what) for part in parts)
     return x, y, z

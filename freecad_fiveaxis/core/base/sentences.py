@@ -31,7 +31,7 @@ IN_FULL = "in full"
 to."""
 
 
-def formed(value: float, form: str) -> str:
+def format_number(value: float, form: str) -> str:
     """Return a number in a form as in ``format``, or :data:`IN_FULL`."""
     return f"{Decimal(f'{value:.7g}'):f}" if form == IN_FULL else f"{value:{form}}"
 
@@ -44,7 +44,7 @@ class Number:
     form: str = "g"
 
     def __str__(self) -> str:
-        return formed(self.value, self.form)
+        return format_number(self.value, self.form)
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class Measure:
     @property
     def numbers(self) -> str:
         """The values alone."""
-        return self.between.join(formed(value, self.form) for value in self.values)
+        return self.between.join(format_number(value, self.form) for value in self.values)
 
     def __str__(self) -> str:
         return self.numbers if self.bare else f"{self.numbers} {self.unit}"
@@ -213,10 +213,10 @@ class Sentence(str):
         return Sentence, (self.template, self.values, self.translated)
 
     def __add__(self, other: str) -> Sentence:
-        return joined((self, other), "")
+        return join_sentences((self, other), "")
 
     def __radd__(self, other: str) -> Sentence:
-        return joined((other, self), "")
+        return join_sentences((other, self), "")
 
 
 def say(template: str, **values: Any) -> Sentence:
@@ -239,7 +239,7 @@ class Template(str):
         return say(str(self), **values)
 
 
-def joined(parts: Iterable[str], between: str = " ") -> Sentence:
+def join_sentences(parts: Iterable[str], between: str = " ") -> Sentence:
     """Sentences one after the other, each of which is translated; empty ones are left out."""
     given = {f"part{at}": _value(part) for at, part in enumerate(part for part in parts if part)}
     glue = between.replace("{", "{{").replace("}", "}}")
@@ -259,7 +259,7 @@ def one_line(text: str) -> str:
 class Part:
     """A value of a sentence that is a text of its own, shown in another form."""
 
-    def rendered(self, render: Callable[[str], str], translate: Translate) -> str:
+    def render(self, render: Callable[[str], str], translate: Translate) -> str:
         """Give the part in another language; ``render`` does so with a text. Raises NotImplementedError where
         there is none."""
         raise NotImplementedError
@@ -280,7 +280,7 @@ def _render_value(value: Any, translate: Translate, units: Units, names: Names) 
     if isinstance(value, Option | Choice | Task):
         return names(value)
     if isinstance(value, Part):
-        return value.rendered(lambda text: render(text, translate, units, names), translate)
+        return value.render(lambda text: render(text, translate, units, names), translate)
     if isinstance(value, Measure):
         return units(value)
     return render(value, translate, units, names) if isinstance(value, str) else str(value)
@@ -305,7 +305,7 @@ class Beginning(Part):
     def __str__(self) -> str:
         return str(self.text)[:1].upper() + str(self.text)[1:]
 
-    def rendered(self, render: Callable[[str], str], translate: Translate) -> str:
+    def render(self, render: Callable[[str], str], translate: Translate) -> str:
         """Give the text in another language, with a capital letter."""
         return str(Beginning(render(self.text)))
 

@@ -39,7 +39,7 @@ class Shared(Generic[C]):
     def __reduce__(self) -> tuple[Any, ...]:
         with self._lock:  # executors pickle on threads of their own
             if self._packed is None:
-                data = _pickled(self.value)
+                data = _pickle_value(self.value)
                 self._file = _write(data) if len(data) > SMALL else ""
                 self._packed = _hash(data), self._file, b"" if self._file else data
             return find_shared, self._packed
@@ -48,7 +48,7 @@ class Shared(Generic[C]):
         """Let the tasks that are not pickled yet carry all that is common."""
         with self._lock:
             if self._packed is None or self._packed[1]:
-                data = _pickled(self.value)
+                data = _pickle_value(self.value)
                 self._packed = _hash(data), "", data
 
     def close(self) -> None:
@@ -82,7 +82,7 @@ _kept: dict[str, Shared[Any]] = {}
 """Of a process: the last that it made, by its hash."""
 
 
-def _pickled(value: Any) -> bytes:
+def _pickle_value(value: Any) -> bytes:
     return pickle.dumps(value, pickle.HIGHEST_PROTOCOL)
 
 

@@ -102,7 +102,7 @@ def unwatch() -> None:
             signal.signal(number, _watch.leave_at_once)
 
 
-def received() -> Stopped | None:
+def find_signal() -> Stopped | None:
     """Return the signal that came, also where other code has made another exception of it (as numpy does
     while it is loaded)."""
     return _watch.first
@@ -116,7 +116,7 @@ def raise_received() -> None:
 
 
 @contextmanager
-def deferred() -> Iterator[None]:
+def defer_signals() -> Iterator[None]:
     """Signals that come meanwhile are delivered at the end. Only Python's main thread gets signals; elsewhere
     nothing is done."""
     if threading.current_thread() is not threading.main_thread():

@@ -100,7 +100,7 @@ class _Given(Generic[C, T, R]):
         try:
             future = self._executor.submit(_do, self._work, self._shared, at, self._tasks[at])
         except BrokenExecutor as error:
-            raise _died() from error
+            raise _explain_death() from error
         self.todo[future] = at
         future.add_done_callback(self._ended.put)
 
@@ -170,10 +170,10 @@ def _own_result(future: Future[Any], at: int) -> Any:
     try:
         given = future.result()
     except (BrokenExecutor, CancelledError) as error:
-        raise _died() from error
+        raise _explain_death() from error
     except Exception as error:
         if type(error).__name__ in KILLED:
-            raise _died() from error
+            raise _explain_death() from error
         raise
     if not isinstance(given, _Result) or given.at != at:
         what = f"{given.at + 1}" if isinstance(given, _Result) else type(given).__name__
@@ -186,7 +186,7 @@ def _own_result(future: Future[Any], at: int) -> Any:
     return given.result
 
 
-def _died() -> SettingsError:
+def _explain_death() -> SettingsError:
     return SettingsError(
         say("a process died, as when memory runs out; give fewer {workers}", workers=WORKERS), None
     )

@@ -115,7 +115,7 @@ class _Task(Generic[T]):
         except BaseException as error:
             self.future.set_exception(error)
 
-    def packed(self) -> bytes | None:
+    def pack(self) -> bytes | None:
         """None where it cannot go to another process."""
         try:
             return pickle.dumps((self.work, self.given, self.named), pickle.HIGHEST_PROTOCOL)
@@ -289,7 +289,7 @@ class WorkerProcesses(Executor):
         """One worker, from its start to its end; where there is none any more this thread does its tasks
         here."""
         crew.begin(self._stop)
-        worker = self._started(command)
+        worker = self._start_worker(command)
         with self._changed:
             self._manned = True
             self.ready += worker is not None
@@ -303,7 +303,7 @@ class WorkerProcesses(Executor):
         if worker is not None:
             self._dismiss(worker)
 
-    def _started(self, command: Command | None) -> _Worker | None:
+    def _start_worker(self, command: Command | None) -> _Worker | None:
         if command is None:
             return None
         try:
@@ -323,7 +323,7 @@ class WorkerProcesses(Executor):
 
     def _do(self, worker: _Worker | None, task: _Task[Any]) -> _Worker | None:
         """Do a task; gives the worker if it lives."""
-        packed = None if worker is None else task.packed()
+        packed = None if worker is None else task.pack()
         if worker is not None and packed is not None:
             try:
                 worker.do(task, packed)

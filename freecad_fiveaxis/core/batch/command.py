@@ -76,10 +76,10 @@ def _merge(arguments: argparse.Namespace) -> Ended:
         raise SettingsError(
             say("{merge} takes no jobs; leave {source} out", merge="--merge", source=arguments.source), ""
         )
-    rows = rank.ranked(sheet.merged(arguments.merge, arguments.out))
+    rows = rank.rank_rows(sheet.merge_reports(arguments.merge, arguments.out))
     files = _report_files(arguments, None)
     sheet.write_report(files, rows)
-    return [sheet.counted(rows), *rank.best_lines(rows)], list(files), rows
+    return [sheet.count_outcomes(rows), *rank.best_lines(rows)], list(files), rows
 
 
 def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: Progress) -> Ended:
@@ -91,10 +91,10 @@ def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: 
     files = _report_files(arguments, shard)
     ended = {job.stem: outcome for job in jobs if (outcome := work.read_finished(job)) is not None}
     kept = len(ended)
-    ended |= _worked([job for job in jobs if job.stem not in ended], crew, progress)
-    rows = rank.ranked([ended[job.stem].row for job in jobs])
+    ended |= _work_jobs([job for job in jobs if job.stem not in ended], crew, progress)
+    rows = rank.rank_rows([ended[job.stem].row for job in jobs])
     sheet.write_report(files, rows)
-    return [sheet.counted(rows, kept), *rank.best_lines(rows)], list(files), rows
+    return [sheet.count_outcomes(rows, kept), *rank.best_lines(rows)], list(files), rows
 
 
 def _plan_batch(
@@ -138,7 +138,7 @@ def _report_files(arguments: argparse.Namespace, shard: tuple[int, int] | None) 
     return files
 
 
-def _worked(jobs: Sequence[BatchJob], crew: Crew | None, progress: Progress) -> dict[str, JobOutcome]:
+def _work_jobs(jobs: Sequence[BatchJob], crew: Crew | None, progress: Progress) -> dict[str, JobOutcome]:
     """Return the outcomes by the jobs' stems."""
     from freecad_fiveaxis.core.base.crew import end_pool
 

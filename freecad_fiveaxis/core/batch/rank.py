@@ -24,10 +24,10 @@ SHARE_DIGITS = 1
 Row = Mapping[str, Any]
 
 
-def ranked(rows: Sequence[Row]) -> list[Row]:
+def rank_rows(rows: Sequence[Row]) -> list[Row]:
     """Return the rows of the report with their ``rank``; those of one part together, the best first, without
     a rank last, otherwise in their order."""
-    return [row for own in _by_part(rows) for row in _ranked_part(own)]
+    return [row for own in _by_part(rows) for row in _rank_part(own)]
 
 
 def best_lines(rows: Sequence[Row]) -> list[Sentence]:
@@ -42,7 +42,7 @@ def _by_part(rows: Sequence[Row]) -> list[list[Row]]:
     return list(parts.values())
 
 
-def _ranked_part(rows: Sequence[Row]) -> list[Row]:
+def _rank_part(rows: Sequence[Row]) -> list[Row]:
     if len(rows) < 2:
         return [{**row, "rank": None} for row in rows]
     found, place = list[Row](), 1
@@ -59,14 +59,14 @@ def _merit(row: Row) -> tuple[int, float, float]:
     none; the percentage that stays unfinished; minutes. A number that is not known is worse than any
     other."""
     grave = {FAILED: 2, Light.RED.value: 1}.get(str(row["verdict"]), 0)
-    return grave, round(_known(row, "unfinished_percent"), SHARE_DIGITS), _known(row, "minutes")
+    return grave, round(_read_number(row, "unfinished_percent"), SHARE_DIGITS), _read_number(row, "minutes")
 
 
 def _is_usable(merit: tuple[int, float, float]) -> bool:
     return merit[0] == 0
 
 
-def _known(row: Row, name: str) -> float:
+def _read_number(row: Row, name: str) -> float:
     value = row.get(name)
     return math.inf if value is None else float(value)
 

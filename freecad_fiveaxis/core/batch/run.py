@@ -105,7 +105,7 @@ def _in_pool(
 def _outcome(future: Future[JobOutcome], job: BatchJob) -> JobOutcome | None:
     """Return what came of a job; None where its process died. Raises SettingsError for what is not its
     own."""
-    from .work import failed
+    from .work import fail_job
 
     try:
         outcome = future.result()
@@ -114,7 +114,7 @@ def _outcome(future: Future[JobOutcome], job: BatchJob) -> JobOutcome | None:
     except Cancelled:
         raise
     except Exception as error:  # of the executor: what the job itself raises is an outcome
-        return failed(job, error)
+        return fail_job(job, error)
     if not isinstance(outcome, JobOutcome) or outcome.stem != job.stem:
         given = outcome.stem if isinstance(outcome, JobOutcome) else type(outcome).__name__
         raise SettingsError(
@@ -139,11 +139,11 @@ def _in_new_pool(
 
 
 def _fail(jobs: Sequence[BatchJob], done: _Done) -> Iterator[JobOutcome]:
-    from .work import failed
+    from .work import fail_job
 
     for job in jobs:
         done.ended += 1
-        yield failed(
+        yield fail_job(
             job,
             say(
                 "its process died, as when memory runs out; give fewer {workers}, or a coarser part",

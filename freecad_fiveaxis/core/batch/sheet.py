@@ -52,7 +52,7 @@ def write_report(files: tuple[str, str, str], rows: Sequence[Row]) -> None:
     write_all({path: text.encode("utf-8", "backslashreplace") for path, text in texts.items()})
 
 
-def merged(folders: Sequence[str], out: str) -> list[Row]:
+def merge_reports(folders: Sequence[str], out: str) -> list[Row]:
     """Return the rows of the reports in several folders, the last one's where a job is in several; ``folder``
     says where its files are, seen from ``out``. Raises SettingsError for a folder without a report."""
     rows = dict[tuple[str, str], Row]()
@@ -73,7 +73,7 @@ def merged(folders: Sequence[str], out: str) -> list[Row]:
     return list(rows.values())
 
 
-def counted(rows: Sequence[Row], kept: int = 0) -> Sentence:
+def count_outcomes(rows: Sequence[Row], kept: int = 0) -> Sentence:
     """One sentence over all; ``kept``: so many were finished before."""
     failed = sum(row["verdict"] == FAILED for row in rows)
     errors = sum(bool(row["errors"]) for row in rows)
@@ -105,7 +105,7 @@ def as_html(rows: Sequence[Row]) -> str:
     )
     lights = Counter(LOOK[row["verdict"]] for row in rows)
     mood = next((one for one in ("bad", "open") if lights[one]), "good")
-    return page("Batch", "every job by itself", counted(rows), mood, [section("The jobs", table)])
+    return page("Batch", "every job by itself", count_outcomes(rows), mood, [section("The jobs", table)])
 
 
 def _html_cells(row: Row, columns: Sequence[str]) -> list[str]:
@@ -123,12 +123,12 @@ def _html_cells(row: Row, columns: Sequence[str]) -> list[str]:
 
 def _link(row: Row) -> str:
     folder = row.get("folder", ".")
-    return ("" if folder == "." else quote(folder, "/:", errors="surrogateescape") + "/") + _quoted(
+    return ("" if folder == "." else quote(folder, "/:", errors="surrogateescape") + "/") + _quote_name(
         row["name"] + ".html"
     )
 
 
-def _quoted(name: str) -> str:
+def _quote_name(name: str) -> str:
     return quote(name, "", errors="surrogateescape")
 
 

@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.pipeline.outputs import files_read
 from freecad_fiveaxis.core.pipeline.programs import PostedProgram, Result
 from freecad_fiveaxis.core.pipeline.settings import Settings, build_settings, flat_options
 from freecad_fiveaxis.core.report import Figures, as_html, as_json, summary
-from freecad_fiveaxis.core.report.verdict import judged_largest, verdict
+from freecad_fiveaxis.core.report.verdict import find_largest_judged, verdict
 from freecad_fiveaxis.core.studies.setup_map.sheet import json_text
 
 from .solids import mesh_solid, read_part
@@ -49,7 +49,7 @@ def run_one(job: BatchJob, progress: Progress = silent) -> JobOutcome:
     except Cancelled:
         raise
     except Exception as error:
-        return failed(job, error)
+        return fail_job(job, error)
 
 
 def run_in_worker(job: BatchJob, progress: Progress = silent) -> JobOutcome:
@@ -58,11 +58,11 @@ def run_in_worker(job: BatchJob, progress: Progress = silent) -> JobOutcome:
         return run_one(job, progress)
 
 
-def failed(job: BatchJob, error: BaseException | str) -> JobOutcome:
+def fail_job(job: BatchJob, error: BaseException | str) -> JobOutcome:
     """Return the outcome of a job that has no program. An error that is not ours is told with its kind."""
     ours = isinstance(error, FiveAxisError | str)
     message = one_line(" ".join(str(error).split()) if ours else f"{type(error).__name__}: {error}".strip())
-    row = dict.fromkeys(COLUMNS) | _named(job) | {"verdict": FAILED, "error": message}
+    row = dict.fromkeys(COLUMNS) | _name_job(job) | {"verdict": FAILED, "error": message}
     return JobOutcome(job.stem, row, error=message)
 
 
@@ -74,7 +74,7 @@ def read_finished(job: BatchJob) -> JobOutcome | None:
         return None
     try:
         same = mark["key"] == key_of(job, _settings(job))
-        return JobOutcome(job.stem, {**mark["row"], **_named(job)}, job.files) if same else None
+        return JobOutcome(job.stem, {**mark["row"], **_name_job(job)}, job.files) if same else None
     except (FiveAxisError, KeyError, TypeError):
         return None
 
@@ -116,7 +116,7 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
     mesh = {"mesh": mesh_solid(part, progress)} if part.is_meshed_first else {}
     result = pipeline.run(settings, progress, **mesh)
     figures = pipeline.figures(result)
-    row = _named(job) | _numbers(figures)
+    row = _name_job(job) | _numbers(figures)
     files = _files(job, result, figures, progress)
     mark = {
         "key": key,
@@ -135,7 +135,7 @@ def _files(job: BatchJob, result: Result, figures: Figures, progress: Progress) 
     return {job.nc: result.draft.nc, job.html: page.encode("utf-8", "backslashreplace")}
 
 
-def _named(job: BatchJob) -> dict[str, Any]:
+def _name_job(job: BatchJob) -> dict[str, Any]:
     machine = str(job.options.get("machine") or "")
     named = Path(machine).stem if machine.lower().endswith(".fcm") else machine
     return {
@@ -149,7 +149,7 @@ def _numbers(figures: Figures) -> dict[str, Any]:
     """Return the rest of a row; a number that is not known is None."""
     numbers = summary(figures)
     facts = verdict(figures, numbers)
-    deviation, bound = judged_largest(numbers)
+    deviation, bound = find_largest_judged(numbers)
     share = numbers.get("unfinished_share")
     return {
         "verdict": facts.light.value,

@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.toolpath.apt import read_apt
 from .prove_signs import Plan, Wishes, make_plan, proof_nc, proof_program, sheet_html, sheet_json, sheet_text
 from .recover import (
     Recovery,
-    printed_axis_step,
+    find_axis_step,
     recover,
     recovery_findings,
     recovery_html,
@@ -113,7 +113,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     _refuse_guided(program)
     units = units_of_steps(program, path)
     try:
-        found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
+        found = recover(path, program, start, setup, find_axis_step(apt), Path(output).stem, progress)
     except ProgramError as refused:
         raise _with_cause(refused, units) from refused
     verdicts = units + recovery_findings(found, settings.recover.certainty)

@@ -150,7 +150,7 @@ class Dialect:
         """Decimals of word ``column`` (0 to 2 linear, 3 and 4 rotary)."""
         return self.linear_decimals if column < 3 else self.rotary_decimals
 
-    def guided(self, how: str) -> Dialect:
+    def guide_by(self, how: str) -> Dialect:
         """Return the same controller with the tip guided by it, ``how`` one of the names of ``guides``.
         Raises SettingsError."""
         if how not in self.guides:

@@ -72,7 +72,7 @@ class Convex:
         found = linprog((0, 0, 0, -1), table, -self.plane[:, 3], bounds=[(None, None)] * 3 + [(0, None)])
         return (np.asarray(found.x[:3]), float(found.x[3])) if found.status == 0 else (self.middle, 0.0)
 
-    def pared(self, by: float) -> Convex:
+    def pare(self, by: float) -> Convex:
         """Give what lies deeper than ``by`` mm in the hull, which must be less than ``inmost``."""
         from scipy.spatial import HalfspaceIntersection
 
@@ -152,7 +152,7 @@ def support_gap(
     return np.asarray(np.concatenate(parts) - (moved.round + standing.round))
 
 
-def crossed(one: Floats, other: Floats) -> Floats:
+def cross_rows(one: Floats, other: Floats) -> Floats:
     """Give the cross products (..., 3); numpy's own is slow for few rows."""
     (a, b, c), (x, y, z) = np.moveaxis(one, -1, 0), np.moveaxis(other, -1, 0)
     return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)
@@ -295,7 +295,7 @@ def _in_all(point: Floats) -> tuple[Floats, Bools]:
     """Return the weights (n, 4) of 0 in the simplices, and which do not hold it (n,)."""
     one = point[:, 0]
     u, v, w = (point[:, k] - one for k in (1, 2, 3))
-    vw, wu, uv = crossed(v, w), crossed(w, u), crossed(u, v)
+    vw, wu, uv = cross_rows(v, w), cross_rows(w, u), cross_rows(u, v)
     volume = (u * vw).sum(axis=1)
     size = np.linalg.norm(u, axis=1) * np.linalg.norm(v, axis=1) * np.linalg.norm(w, axis=1)
     flat = np.abs(volume) <= EVEN * size

@@ -137,14 +137,14 @@ def facet_tree(mesh: Mesh) -> FacetTree:
     """Return the tree over all facets of a mesh: made once, and kept as long as the mesh is, for cures and
     checks ask for it in turn."""
     if mesh not in _TREES:
-        _TREES[mesh] = planted(mesh)
+        _TREES[mesh] = build_facet_tree(mesh)
     return _TREES[mesh]
 
 
-def planted(mesh: Mesh) -> FacetTree:
+def build_facet_tree(mesh: Mesh) -> FacetTree:
     """Return the tree, made anew."""
     a, b, c = (mesh.vertex.take(column, axis=0) for column in mesh.face.T)
-    order, depth = _parted(((a + b) + c) / 3.0, mesh.normal)
+    order, depth = _part_facets(((a + b) + c) / 3.0, mesh.normal)
     corner, normal = _take_columns(order, a, b, c), _take_columns(order, mesh.normal)
     del a, b, c
     counts = [2**k for k in range(depth % 2, depth + 1, 2)] if depth else [1]
@@ -191,7 +191,7 @@ def _allowances(of_leaf: Floats, counts: list[int]) -> Floats:
     return np.stack([np.concatenate(most), np.concatenate(least)])
 
 
-def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:
+def _part_facets(centre: Floats, normal: Floats) -> tuple[Ints, int]:
     """Return the facets in the order of the leaves, filled up with copies, and how often they are parted."""
     depth = max(int(np.floor(np.log2(max(len(centre), 1) / LEAF))), 0)
     width = -(-len(centre) // 2**depth)  # so every node has an even number of facets to part

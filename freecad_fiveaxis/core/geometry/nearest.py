@@ -130,7 +130,7 @@ class Segments:
         """Where on the segments ``element`` (n, k) the feet of ``points`` (n, 3) lie, 0 to 1."""
         return self._foot(points, element)[0]
 
-    def squared(self, points: Floats, element: Ints) -> Floats:
+    def square_distances(self, points: Floats, element: Ints) -> Floats:
         """Squared distances (n, k) of ``points`` (n, 3) from the segments ``element`` (n, k)."""
         share, off, along = self._foot(points, element)
         result = np.zeros_like(share)
@@ -176,7 +176,7 @@ class Facets:
         squares = [(b * b).sum(axis=0)[None], (b * c).sum(axis=0)[None], (c * c).sum(axis=0)[None]]
         object.__setattr__(self, "table", np.concatenate([a, b, c, self.normal.T, *squares]))
 
-    def squared(self, points: Floats, element: Ints) -> Floats:
+    def square_distances(self, points: Floats, element: Ints) -> Floats:
         """Squared distances (n, k) of ``points`` (n, 3) from the facets ``element`` (n, k): from the plane
         over the facet, else from its nearest side. All from the inner products of the point (from the first
         corner) with the sides."""
@@ -193,7 +193,7 @@ class Facets:
         third = _to_side(square - 2.0 * along_b + bb, along_c - along_b - bc + bb, bb - 2.0 * bc + cc)
         return np.where(inside, height * height, np.maximum(np.minimum(best, third), height * height))
 
-    def signed(self, points: Floats, elements: Ints, distance2: Floats) -> Floats:
+    def sign_distances(self, points: Floats, elements: Ints, distance2: Floats) -> Floats:
         """Return a ``resolve``: distance mm, below 0 inside the part, and row of the nearest facet.
 
         Of facets that are as near (their common edge or corner is nearest) the one decides which is seen most
@@ -222,7 +222,7 @@ class Facets:
             reach = max(reach, float(far[small].max(initial=0.0)))
             if small.all():
                 break
-            corner, element = _halved(corner[:, ~small]), np.tile(element[~small], 2)
+            corner, element = _halve_triangles(corner[:, ~small]), np.tile(element[~small], 2)
         return Pieces(np.concatenate(middles), np.concatenate(owners), reach)
 
 
@@ -233,7 +233,7 @@ def _to_side(square: Floats, along: Floats, length2: Floats) -> Floats:
     return np.asarray(square - share * (2.0 * along - share * length2))
 
 
-def _halved(corner: Floats) -> Floats:
+def _halve_triangles(corner: Floats) -> Floats:
     """Both halves (3, 2 n, 3) of triangles (3, n, 3), cut from the middle of the longest side."""
     length = np.linalg.norm(np.roll(corner, -1, axis=0) - corner, axis=2)
     first = length.argmax(axis=0)

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Hit, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Length, Point, Sentence, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
@@ -178,7 +178,7 @@ class _Levels:
         """Give the pair whose meetings are those of the level."""
         motion, standing = self.pair.motion, self.pair.standing.piece
         if level > 0.0 and not self.pair.moved.piece.round + standing.round:
-            return Pair(motion, standing.pared(min(level, self.most)))
+            return Pair(motion, standing.pare(min(level, self.most)))
         return Pair(motion, standing, -min(level, self.most))
 
     def meet(self, level: float, blocks: Ints, joined: bool) -> Meetings:
@@ -233,7 +233,7 @@ def _collision(given: PairCheck, pair: CarriedPair, deep: Closest) -> Finding:
     )  # fmt: skip
     row, line, place = _where(given, deep.block)
     remedy = SAME_SIDE if len({step.axis.side for step in pair.motion.steps}) == 1 else REMEDY
-    text, hit = joined((text, remedy)), Hit(pair.enters.key, pair.entered.key, deep.u)
+    text, hit = join_sentences((text, remedy)), Hit(pair.enters.key, pair.entered.key, deep.u)
     return report_finding(
         Code.MACHINE_COLLISION, text, deep.level, given.tolerance, row, line, place, hit=hit
     )

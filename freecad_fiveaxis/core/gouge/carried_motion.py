@@ -28,7 +28,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.geometry.convex import Convex, Poses, crossed, support_gap
+from freecad_fiveaxis.core.geometry.convex import Convex, Poses, cross_rows, support_gap
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.bodies import BASE, SPINDLE
 
@@ -147,7 +147,7 @@ class CarriedMotion:
         of all that the joints that turn make.
         """
         bend, _ = self.travel(lines, half)
-        axis = crossed(g, lines.direction) * self.rotary[:, None, None]
+        axis = cross_rows(g, lines.direction) * self.rotary[:, None, None]
         flat = np.where(
             self.rotary[:, None], -(axis * lines.point).sum(axis=2), (g * lines.direction).sum(axis=2)
         )

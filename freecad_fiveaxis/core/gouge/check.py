@@ -18,7 +18,15 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats
-from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.base.sentences import (
+    Choice,
+    Length,
+    Point,
+    Sentence,
+    Template,
+    join_sentences,
+    say,
+)
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
@@ -194,7 +202,7 @@ def _spots(
         sentence = (WITH_REMEDY if remedy else PLAIN)[code].say(
             depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT
         )
-        sentence = joined((sentence, remedy if code == Code.OVERCUT else ""))
+        sentence = join_sentences((sentence, remedy if code == Code.OVERCUT else ""))
         if k == 0 and blocks > 1:
             sentence += say(
                 " This is the deepest of {blocks} blocks in {places} places.",

@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Hit, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Length, Point, Template, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, Point, Template, join_sentences, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
@@ -119,7 +119,7 @@ def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
             at=Point(worst.place),
             count=count,
         )
-        text = joined((text, REMEDY))
+        text = join_sentences((text, REMEDY))
         yield report_finding(
             Code.FIXTURE_COLLISION, text, worst.depth, tolerance, row, line, worst.place, unit="mm", hit=hit
         )

@@ -34,4 +34,4 @@ def _distance(point: Floats, mesh: Mesh, some: Bools) -> Floats:
     """Return the distances (n,) mm of points from some facets of the mesh."""
     corner = np.ascontiguousarray(mesh.vertex[mesh.face[some]].transpose(1, 0, 2))
     facets = Facets(corner, mesh.normal[some])
-    return search(point, facets.pieces(), facets.squared, nearest, 2)[:, 0]
+    return search(point, facets.pieces(), facets.square_distances, nearest, 2)[:, 0]

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Hit, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.machine.bodies import BASE, MachineBody
@@ -220,7 +220,7 @@ def _entering(
         )  # fmt: skip
     else:
         text = say("In {count} blocks the whole cutter is inside the {name}.", count=worst.blocks, name=name)
-    text, row, line = joined((text, REMEDY)), worst.row, worst.line
+    text, row, line = join_sentences((text, REMEDY)), worst.row, worst.line
     hit = Hit(worst.part, entered, worst.u)
     yield report_finding(Code.MACHINE_COLLISION, text, worst.depth, tolerance, row, line, place, hit=hit)
 

@@ -105,7 +105,7 @@ class PairInPose:
         if rounds:
             return PairInPose(pair.motion, standing, at, margin - min(pared, 0.99 * rounds), low, high)
         return PairInPose(
-            pair.motion, standing.pared(min(pared, 0.99 * standing.inmost[1])), at, margin, low, high
+            pair.motion, standing.pare(min(pared, 0.99 * standing.inmost[1])), at, margin, low, high
         )
 
     @property

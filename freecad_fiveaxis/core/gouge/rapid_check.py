@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INDEPENDENT, INTERPOLATED, UNKNOWN
 from freecad_fiveaxis.core.base.records import Bools, Ints
-from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Template, joined, say
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Template, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.motion.program import Program
@@ -81,7 +81,7 @@ def rapid_findings(ways: WayEntries, program: Program, tolerance: float, rapids:
                 blocks=blocks,
                 places=len(worst),
             )
-        text = joined((text, REMEDY))
+        text = join_sentences((text, REMEDY))
         found.append(
             report_finding(Code.INDEPENDENT_RAPID, text, depth, tolerance, block + 1, line, (x, y, z))
         )
@@ -103,5 +103,5 @@ def _unproven(ways: WayEntries, program: Program, tolerance: float) -> tuple[Fin
         "axes, the first in NC line {line}; it enters by no more than {bound}.",
         count=len(rows), line=line, bound=Length(bound, ".3g"),
     )  # fmt: skip
-    text = joined((text, REMEDY))
+    text = join_sentences((text, REMEDY))
     return (report_finding(Code.RAPID_UNPROVEN, text, bound, tolerance, int(rows[0]) + 1, line),)

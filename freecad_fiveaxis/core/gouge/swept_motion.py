@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.motion.trajectory import (
     Vectors,
     at,
     axis,
-    checked_words,
+    check_words,
     frames,
     motion,
     tip,
@@ -127,7 +127,7 @@ def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMot
     ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven).
     Raises ProgramError for words that cannot be used.
     """
-    rows, frame = checked_words(words), frames(kinematics)
+    rows, frame = check_words(words), frames(kinematics)
     move = motion(frame, rows[:-1], rows[1:])
     turn = np.broadcast_to(np.abs(move.a_step) + np.abs(move.b_step), (len(rows) - 1,)) ** 2
 

@@ -77,7 +77,7 @@ FREECAD_VERSION = "26.3.0"
 
 
 @cache
-def shipped_machines() -> tuple[str, ...]:
+def list_shipped_machines() -> tuple[str, ...]:
     """Return the names of the machines that come with the program, sorted."""
     return tuple(sorted(path.stem for path in machine_folder().glob("*" + SUFFIX)))
 
@@ -100,7 +100,7 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
     given = os.fspath(name_or_path)
     if (path := machine_path(given)) is not None:
         return _load_file(path)
-    names = shipped_machines()
+    names = list_shipped_machines()
     near = difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
     hint = say("did you mean {near}? ", near=near[0]) if near else ""
     known = say("known: {names}, or give a {suffix} file", names=", ".join(names), suffix=SUFFIX)
@@ -112,7 +112,7 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
 
 def machine_path(given: str) -> Path | None:
     """Return the file of a shipped name, or what is given as a file; None for a name that is not known."""
-    if given in shipped_machines():
+    if given in list_shipped_machines():
         return machine_folder() / (given + SUFFIX)
     return Path(given) if Path(given).suffix.lower() == SUFFIX or os.sep in given or "/" in given else None
 

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Point, measure, say
 
 from .bodies import MachineBody, check_carriers
-from .no_motion import checked
+from .no_motion import check_names
 from .safe_start import SafeStart
 
 Vector = tuple[float, float, float]
@@ -176,7 +176,7 @@ class Machine:
     def __post_init__(self) -> None:
         object.__setattr__(self, "axes", with_stand_ins(self.name, tuple(self.axes)))
         object.__setattr__(self, "letters", "".join(axis.letter for axis in self.axes))
-        object.__setattr__(self, "no_motion", checked(self.no_motion))
+        object.__setattr__(self, "no_motion", check_names(self.no_motion))
         for name in ("gauge_point", "origin"):
             object.__setattr__(self, name, finite_vector(getattr(self, name), name, FARTHEST))
         if self.table is not None and not abs(self.table) <= FARTHEST:
@@ -258,7 +258,7 @@ class Machine:
         return any(axis.rotary and axis.fitted and axis.side == "head" for axis in self.axes)
 
 
-def fitted_columns(letters: str) -> list[int]:
+def find_physical_columns(letters: str) -> list[int]:
     """Return the columns of the words whose axes the machine really has, by the letters of all ("XYZA-": 0 1
     2 3)."""
     return [column for column, letter in enumerate(letters) if letter not in STAND_INS]

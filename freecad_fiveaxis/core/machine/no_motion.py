@@ -29,13 +29,13 @@ READ_M = {0, 1, 2, 17, 30, 66, 70, 71, 72, 73, 89, 91, 92, *range(97, 100), *ran
 path functions."""
 
 
-def checked(names: Iterable[str]) -> tuple[str, ...]:
+def check_names(names: Iterable[str]) -> tuple[str, ...]:
     """Check names of functions without motion, and bring them to capitals and single blanks. Raises
     MachineError, with value and remedy."""
-    return tuple(_checked(" ".join(name.upper().split())) for name in names)
+    return tuple(_check_name(" ".join(name.upper().split())) for name in names)
 
 
-def _checked(name: str) -> str:
+def _check_name(name: str) -> str:
     found = FORMS.fullmatch(name)
     if found is None or (found["g"] and not found["word"]):
         raise MachineError(

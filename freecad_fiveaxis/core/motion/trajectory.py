@@ -102,7 +102,9 @@ def frames(kinematics: Chain) -> Frames:
             -(second @ kinematics.point2),
         ]
     )
-    return Frames(first, _cleaned(first @ second.T), _cleaned(second @ z), _cleaned(gain), offset)
+    return Frames(
+        first, _clean_values(first @ second.T), _clean_values(second @ z), _clean_values(gain), offset
+    )
 
 
 def _basis(z: Floats, hint: Floats) -> Floats:
@@ -111,10 +113,10 @@ def _basis(z: Floats, hint: Floats) -> Floats:
     across = [v - (v @ z) * z for v in (hint, np.roll(hint, 1))]
     x = across[0] if np.linalg.norm(across[0]) > PARALLEL else across[1]
     x = x / np.linalg.norm(x)
-    return _cleaned(np.stack([x, np.cross(z, x), z]))
+    return _clean_values(np.stack([x, np.cross(z, x), z]))
 
 
-def _cleaned(values: Floats) -> Floats:
+def _clean_values(values: Floats) -> Floats:
     return np.where(np.abs(values) < ROUNDED_TO_ZERO, 0.0, values)
 
 
@@ -129,7 +131,7 @@ def combine(factors: Floats, columns: Sequence[Floats], constant: float = 0.0) -
     return np.asarray(0.0) if total is None else total
 
 
-def turned(x: Floats, y: Floats, cos: Floats, sin: Floats) -> tuple[Floats, Floats]:
+def turn_vector(x: Floats, y: Floats, cos: Floats, sin: Floats) -> tuple[Floats, Floats]:
     """Return the vector (x, y) turned by the angle of ``cos``, ``sin``."""
     return cos * x - sin * y, sin * x + cos * y
 
@@ -140,7 +142,7 @@ def flat_length(x: Floats, y: Floats) -> Floats:
     return np.asarray(np.sqrt(x * x + y * y))
 
 
-def checked_words(words: ArrayLike) -> Floats:
+def check_words(words: ArrayLike) -> Floats:
     """``words`` as floats (m, 5). Raises ProgramError for another shape, and for words that are no numbers or
     too large."""
     rows = np.asarray(words, float)
@@ -180,7 +182,7 @@ def _arm(frame: Frames, words: Floats) -> tuple[Columns, Floats, Floats]:
     return arm, np.deg2rad(a), np.deg2rad(b)
 
 
-def chained_motion(frame: Frames, words: Floats) -> tuple[Motion, Pose]:
+def chain_motion(frame: Frames, words: Floats) -> tuple[Motion, Pose]:
     """Return the m - 1 blocks between successive rows of words (m, 5), mm and **degrees**; and the poses of
     all rows."""
     arm, a, b = _arm(frame, words)
@@ -201,7 +203,7 @@ def inner(frame: Frames, at_: Pose) -> Vectors:
     """``y = w + R2(b) v``: the tip as seen from the first rotary axis before it turns; columns of the first
     frame."""
     _, _, _, wx, wy, wz, vx, vy, vz = at_.arm
-    x, y = turned(vx, vy, at_.cos_b, at_.sin_b)
+    x, y = turn_vector(vx, vy, at_.cos_b, at_.sin_b)
     return (
         wx + combine(frame.mix[0], (x, y, vz)),
         wy + combine(frame.mix[1], (x, y, vz)),
@@ -212,7 +214,7 @@ def inner(frame: Frames, at_: Pose) -> Vectors:
 def outer(at_: Pose, y: Vectors) -> Vectors:
     """``tip = s + R1(a) y``: columns of the first frame."""
     sx, sy, sz, *_ = at_.arm
-    px, py = turned(y[0], y[1], at_.cos_a, at_.sin_a)
+    px, py = turn_vector(y[0], y[1], at_.cos_a, at_.sin_a)
     return sx + px, sy + py, sz + y[2]
 
 
@@ -229,7 +231,7 @@ def axis(frame: Frames, at_: Pose) -> Vectors:
     )  # the second frame's x is chosen so that tool[1] is zero
     columns = (tx * at_.cos_b, tx * at_.sin_b, tz)
     x, y, z = (combine(row, columns) for row in frame.mix)
-    return (*turned(x, y, at_.cos_a, at_.sin_a), z)
+    return (*turn_vector(x, y, at_.cos_a, at_.sin_a), z)
 
 
 def to_work(frame: Frames, vector: Vectors) -> Vectors:
@@ -252,11 +254,11 @@ def derivatives(frame: Frames, move: Motion, u: Floats) -> tuple[Vectors, Vector
     first_v = (dv[0] - db * v[1], dv[1] + db * v[0], dv[2])
     second_v = (-2.0 * db * dv[1] - db * db * v[0], 2.0 * db * dv[0] - db * db * v[1])
     y = inner(frame, now)
-    dy = _mixed(frame, first_v, now)
+    dy = _turn_into_frame(frame, first_v, now)
     dy = (dw[0] + dy[0], dw[1] + dy[1], dw[2] + dy[2])
-    ddy = _mixed(frame, (*second_v, np.asarray(0.0)), now)
-    dp = turned(dy[0] - da * y[1], dy[1] + da * y[0], now.cos_a, now.sin_a)
-    ddp = turned(
+    ddy = _turn_into_frame(frame, (*second_v, np.asarray(0.0)), now)
+    dp = turn_vector(dy[0] - da * y[1], dy[1] + da * y[0], now.cos_a, now.sin_a)
+    ddp = turn_vector(
         ddy[0] - 2.0 * da * dy[1] - da * da * y[0],
         ddy[1] + 2.0 * da * dy[0] - da * da * y[1],
         now.cos_a,
@@ -265,9 +267,9 @@ def derivatives(frame: Frames, move: Motion, u: Floats) -> tuple[Vectors, Vector
     return outer(now, y), (ds[0] + dp[0], ds[1] + dp[1], ds[2] + dy[2]), (*ddp, ddy[2])
 
 
-def _mixed(frame: Frames, v: Vectors, now: Pose) -> Vectors:
+def _turn_into_frame(frame: Frames, v: Vectors, now: Pose) -> Vectors:
     """``R2 v`` in the first frame."""
-    x, y = turned(v[0], v[1], now.cos_b, now.sin_b)
+    x, y = turn_vector(v[0], v[1], now.cos_b, now.sin_b)
     mx, my, mz = (combine(row, (x, y, v[2])) for row in frame.mix)
     return mx, my, mz
 

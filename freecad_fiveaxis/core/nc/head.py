@@ -18,7 +18,7 @@ from types import MappingProxyType
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import Length, Number, Option, say
 from freecad_fiveaxis.core.controllers.dialect import Dialect
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 
 SLOTS = (
     "title", "program", "path", "offset", "tool", "length", "spindle", "coolant", "feed_mode", "axes",
@@ -111,7 +111,9 @@ def slot_texts(
         else dialect.spindle_off,
         "coolant": dialect.coolant_on if options.coolant else dialect.coolant_off,
         "feed_mode": dialect.inverse_time if inverse_time else dialect.per_minute,
-        "axes": ",".join(sorted((letters[k] for k in fitted_columns(letters)), key=dialect.order.index)),
+        "axes": ",".join(
+            sorted((letters[k] for k in find_physical_columns(letters)), key=dialect.order.index)
+        ),
         "shorter": dialect.shorter_on if modulo else dialect.shorter_off,
         "number": "" if options.tool is None else str(options.tool),
         "tolerance": f"{options.blend or USUAL_TOLERANCE:.4f}",
@@ -137,27 +139,27 @@ def _tool(dialect: Dialect, options: PostOptions) -> str:
     return dialect.remark("tool and length offset as the operator has set them")
 
 
-def framed(dialect: Dialect, slots: dict[str, str], blocks: int) -> tuple[bytes, bytes]:
+def write_head_and_tail(dialect: Dialect, slots: dict[str, str], blocks: int) -> tuple[bytes, bytes]:
     """Return the text before and after the ``blocks`` lines of motion."""
     head, tail = ([line.format(**slots) for line in lines] for lines in (dialect.head, dialect.tail))
     if dialect.number_all:
         after = len(head) + blocks
-        head = [_numbered(dialect, at, line) for at, line in enumerate(head)]
-        tail = [_numbered(dialect, after + at, line) for at, line in enumerate(tail)]
+        head = [_number_line(dialect, at, line) for at, line in enumerate(head)]
+        tail = [_number_line(dialect, after + at, line) for at, line in enumerate(tail)]
     before, behind = (
         "".join(line + dialect.newline for line in lines).encode("ascii") for lines in (head, tail)
     )
     return before, behind
 
 
-def numbered_anew(dialect: Dialect, lines: list[str]) -> list[str]:
+def renumber_lines(dialect: Dialect, lines: list[str]) -> list[str]:
     """Return the lines of a whole program, to which some without a number were added, with the numbers that
     the dialect wants on all."""
     if not dialect.number_all:
         return lines
     bare = re.compile(rf"^{dialect.number_letter}[0-9]+ ")
-    return [_numbered(dialect, at, bare.sub("", line)) if line else line for at, line in enumerate(lines)]
+    return [_number_line(dialect, at, bare.sub("", line)) if line else line for at, line in enumerate(lines)]
 
 
-def _numbered(dialect: Dialect, at: int, line: str) -> str:
+def _number_line(dialect: Dialect, at: int, line: str) -> str:
     return f"{dialect.number_letter}{at % dialect.number_most * dialect.number_step} {line}"

@@ -42,7 +42,7 @@ def find_named_cutter(text: bytes) -> Cutter | None:
         return None
 
 
-def named_cutter_note(cutter: Cutter) -> tuple[Finding, ...]:
+def note_named_cutter(cutter: Cutter) -> tuple[Finding, ...]:
     """Say that the cutter is taken from the program, because none is given."""
     text = say(
         "No cutter is given; the one that the program names is taken: {cutter}.", cutter=cutter_name(cutter)

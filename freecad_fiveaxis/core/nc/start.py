@@ -20,9 +20,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.controllers.dialect import Dialect
-from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_NOTHING, BY_REFERENCE, SafeStart, fitted_columns
+from freecad_fiveaxis.core.machine import (
+    BY_CLEARANCE,
+    BY_NOTHING,
+    BY_REFERENCE,
+    SafeStart,
+    find_physical_columns,
+)
 from freecad_fiveaxis.core.motion.program import Program
 
 UPRIGHT = 1e-9
@@ -35,13 +41,14 @@ def with_start(dialect: Dialect, start: SafeStart, over_by_tip: bool = False, tu
 
     ``over_by_tip``: as ``tip`` above. A guide that gives the tool's length itself leaves no way to a plane
     above the part before it: there the reference point is taken instead."""
-    named = replace(dialect, head=_named(dialect.head), guided_head=_named(dialect.guided_head))
+    named = replace(dialect, head=_name_cutter(dialect.head), guided_head=_name_cutter(dialect.guided_head))
     if start.retract == BY_NOTHING:
         return named
     guided = SafeStart(BY_REFERENCE) if by_reference(dialect, start) else start
     return replace(
         named, head=_joint_head(named, start, turns), tail=(*_retract(dialect, start), *dialect.tail),
-        guided_head=_guided_head(named, guided, over_by_tip), guided_tail=_guided_tail(dialect, guided),
+        guided_head=_build_guided_head(named, guided, over_by_tip),
+        guided_tail=_build_guided_tail(dialect, guided),
     )  # fmt: skip
 
 
@@ -50,7 +57,7 @@ def by_reference(dialect: Dialect, start: SafeStart) -> bool:
     return start.retract == BY_CLEARANCE and any(guide.needs_tool for guide in dialect.guides.values())
 
 
-def _named(head: tuple[str, ...]) -> tuple[str, ...]:
+def _name_cutter(head: tuple[str, ...]) -> tuple[str, ...]:
     """Return the head with the line that names the cutter, after the title."""
     at = next((k for k, line in enumerate(head) if "{title}" in line), -1) + 1
     return (*head[:at], "{cutter}", *head[at:]) if head else head
@@ -84,7 +91,7 @@ def _joint_head(dialect: Dialect, start: SafeStart, turns: bool) -> tuple[str, .
     return (*_before_tool(dialect.head, retract), *turn)
 
 
-def _guided_head(dialect: Dialect, start: SafeStart, over_by_tip: bool) -> tuple[str, ...]:
+def _build_guided_head(dialect: Dialect, start: SafeStart, over_by_tip: bool) -> tuple[str, ...]:
     head, retract = dialect.guided_head, _retract(dialect, start)
     if not head:
         return head
@@ -99,7 +106,7 @@ def _guided_head(dialect: Dialect, start: SafeStart, over_by_tip: bool) -> tuple
     return (*head[:at], *before, _rapid(dialect, "over"), *head[at:])
 
 
-def _guided_tail(dialect: Dialect, start: SafeStart) -> tuple[str, ...]:
+def _build_guided_tail(dialect: Dialect, start: SafeStart) -> tuple[str, ...]:
     at = dialect.guided_tail.index("{guide}") + 1 if dialect.guided_tail else 0
     return (*dialect.guided_tail[:at], *_retract(dialect, start), *dialect.guided_tail[at:])
 
@@ -110,7 +117,8 @@ def start_words(program: Program, dialect: Dialect, height: float) -> dict[str, 
     first = program.words[0] if len(program.words) else np.zeros(5)
     tip = program.guided.tip[0] if len(program.words) and program.guided is not None else first
     order = sorted(
-        fitted_columns(program.letters)[3:], key=lambda column: dialect.order.index(program.letters[column])
+        find_physical_columns(program.letters)[3:],
+        key=lambda column: dialect.order.index(program.letters[column]),
     )
     return {
         "height": "Z" + _number(height, dialect.linear_decimals, dialect.plus),
@@ -134,5 +142,5 @@ def _rotary(program: Program, dialect: Dialect, column: int, value: float) -> st
 
 def _number(value: float, decimals: int, plus: bool) -> str:
     """As the writer prints it: never "-0.0000"."""
-    near = float(rounded(np.array([value]), decimals)[0]) + 0.0
+    near = float(round_as_printed(np.array([value]), decimals)[0]) + 0.0
     return f"{near:+.{decimals}f}" if plus else f"{near:.{decimals}f}"

@@ -19,18 +19,18 @@ from freecad_fiveaxis.core.base.number_text import (
     Part,
     Units,
     nearest_whole,
-    rounded,
+    round_as_printed,
     table_parts,
 )
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.controllers.dialect import Dialect
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-from .head import PostOptions, framed, slot_texts
+from .head import PostOptions, slot_texts, write_head_and_tail
 from .start import start_words
 
 
@@ -51,7 +51,7 @@ def write_nc(
     slots = slot_texts(
         dialect, title, options or PostOptions(), inverse_first, program.letters, modulo, start
     )
-    head, tail = framed(dialect, slots, len(program.words))
+    head, tail = write_head_and_tail(dialect, slots, len(program.words))
     rows = (
         table_parts(_block(program, dialect), dialect.newline.encode(), progress)
         if len(program.words)
@@ -77,7 +77,7 @@ def _number(program: Program, dialect: Dialect) -> list[Part]:
 
 
 def _mode(program: Program, dialect: Dialect) -> list[Part]:
-    changed = _changed(program.inverse_time)
+    changed = _find_changes(program.inverse_time)
     changed[0] = False  # the head has said it
     if not changed.any():
         return []
@@ -118,7 +118,8 @@ def _address_words(program: Program, dialect: Dialect) -> list[_AddressWord]:
         )
     linear = program.words if guided is None else guided.tip
     order = sorted(
-        fitted_columns(program.letters), key=lambda column: dialect.order.index(program.letters[column])
+        find_physical_columns(program.letters),
+        key=lambda column: dialect.order.index(program.letters[column]),
     )
     vector = None if guided is None or dialect.guide is None else dialect.guide.vector
     addresses = [
@@ -143,7 +144,7 @@ def _axis_word(program: Program, column: int, linear: Floats, dialect: Dialect) 
 
 def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
     """Only the words that change; a tool vector always whole; where nothing changes, the first word."""
-    shows = in_threads(lambda word: _changed(word.values), words)
+    shows = in_threads(lambda word: _find_changes(word.values), words)
     if vector:
         shows[-3:] = [np.logical_or.reduce(shows[-3:])] * 3
     shows[0] = shows[0] | ~np.logical_or.reduce(shows)  # a block without any change still needs an axis word
@@ -177,7 +178,7 @@ def _word(address: _AddressWord, rows: int) -> Column | Units:
         return exact
 
     if not all(in_threads(count, chunks(rows))):
-        return Column(prefix, rounded(address.values, address.decimals), address.decimals)
+        return Column(prefix, round_as_printed(address.values, address.decimals), address.decimals)
     counted = steps.view(np.int64)
     return Units(
         prefix, counted % (360 * 10**address.decimals) if address.fold else counted, address.decimals
@@ -195,8 +196,8 @@ def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:
 
 def _feed_changed(program: Program, feeding: Bools) -> Bools:
     """Where F or its mode is not that of the last block before that had one."""
-    changed = _changed(program.feed)
-    changed |= _changed(program.inverse_time)
+    changed = _find_changes(program.feed)
+    changed |= _find_changes(program.inverse_time)
     begin = np.flatnonzero(feeding[1:] & ~feeding[:-1]) + 1  # blocks after rapids
     end = np.flatnonzero(feeding[:-1] & ~feeding[1:])
     before = np.searchsorted(end, begin) - 1
@@ -208,7 +209,7 @@ def _feed_changed(program: Program, feeding: Bools) -> Bools:
     return changed
 
 
-def _changed(column: NDArray[Any]) -> Bools:
+def _find_changes(column: NDArray[Any]) -> Bools:
     changed = np.ones(len(column), np.bool_)
     np.not_equal(column[1:], column[:-1], out=changed[1:])
     return changed

@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.base.sentences import Length, Number, Point, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
-from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, leaned
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, lean_axis
 from freecad_fiveaxis.core.tool.barrel import Flank
 from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
@@ -42,7 +42,7 @@ from .axis_field import (
     find_field,
     find_freedom,
     nearest_free,
-    raised,
+    raise_contacts,
     with_margin,
     with_way_out,
 )
@@ -135,7 +135,7 @@ def auto_axes(
     axis = field.at(contacts.point, contacts.mean, progress)
     for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
-        axis, pulled = _pulled(field, contacts, axis, free != Free.NONE, tool, tree, progress)
+        axis, pulled = _pull_axes(field, contacts, axis, free != Free.NONE, tool, tree, progress)
         free[pulled & (free == Free.NONE)] = gained
     if (
         reacher.kinematics is not None and reacher.cutter.touches_as_ball
@@ -148,7 +148,7 @@ def auto_axes(
         axis = take_pole(axis, contacts.contact, path.polyline, reacher.kinematics, free_with)
     if options.lead or options.tilt:
         for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
-            axis = _leaned(path, contacts, axis, free == gained, tool, tree, options, progress)
+            axis = _lean_axes(path, contacts, axis, free == gained, tool, tree, options, progress)
     row_free = free[contacts.contact]
     return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, _findings(free, contacts)
 
@@ -180,8 +180,8 @@ def refine_field(
     more = Nodes(
         contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing
     )
-    freedom = field.freedom.joined(find_freedom(more, wide, tree, field.freedom.direction, progress))
-    nodes = field.nodes.joined(more)
+    freedom = field.freedom.join(find_freedom(more, wide, tree, field.freedom.direction, progress))
+    nodes = field.nodes.join(more)
     return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
 
 
@@ -201,7 +201,7 @@ def select_rows_with_way_out(free: Ints, polyline: Ints) -> Ints:
     return np.flatnonzero((row >= first[number]) & (row <= last[number]))
 
 
-def divided(
+def divide_path(
     path: OffsetPath, axis: Floats, step: float, ring: float, barrel: Flank | None = None
 ) -> tuple[OffsetPath, Floats]:
     """Put rows between those of ``path`` until contacts are at most ``step`` mm apart, with axes (n, 3) that
@@ -221,14 +221,14 @@ def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
     for column, limit in ((path.point, SHORT), (path.before, 0.0), (path.after, 0.0)):
         begins[1:] |= (np.abs(column[1:] - column[:-1]) > limit).any(axis=1)
     contact, first = np.cumsum(begins) - 1, np.flatnonzero(begins)
-    contact, first = _joined_at_seams(path, contact, first)
+    contact, first = _join_at_seams(path, contact, first)
     point = path.centre - reacher.cutter.corner * path.normal
-    stand, fits = raised(reacher, facet_tree(mesh), point, path.normal)
+    stand, fits = raise_contacts(reacher, facet_tree(mesh), point, path.normal)
     mean = facet_mean(path, AxisOptions())[first]
     return Contacts(path.point[first], path.face[first], first, mean, contact, stand, path.normal, fits)
 
 
-def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:
+def _join_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:
     """Return the contact (n,) of each row and the first row (k,) of each contact, with both ends of a closed
     polyline as one."""
     start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
@@ -243,7 +243,7 @@ def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints
     return number[contact], first[kept]
 
 
-def _pulled(
+def _pull_axes(
     field: AxisField,
     contacts: Contacts,
     axis: Floats,
@@ -271,14 +271,14 @@ def _pulled(
     return found, free
 
 
-def _leaned(
+def _lean_axes(
     path: OffsetPath, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree,
     options: AxisOptions,
     progress: Progress,
 ) -> Floats:  # fmt: skip
     """Return the axes (k, 3) leaned by lead and tilt where that leaves them ``free`` (k,)."""
     rows = axis[contacts.contact]
-    tried = leaned(rows, feed_direction(path, rows), options.lead, options.tilt)[contacts.first]
+    tried = lean_axis(rows, feed_direction(path, rows), options.lead, options.tilt)[contacts.first]
     good = contacts.free(tried, free, reacher, tree, progress)
     return np.where((good & free)[:, None], tried, axis)
 

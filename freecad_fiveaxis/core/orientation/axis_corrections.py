@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.orientation.strategies import AxisOptions
 from freecad_fiveaxis.core.passes import with_room
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
-from .auto_axis import auto_axes, divided, find_contacts, refine_field
+from .auto_axis import auto_axes, divide_path, find_contacts, refine_field
 from .facets_with_axis import find_axis_field
 from .minimax import minimax_axes
 from .past_pole import deform_axes, trade_findings
@@ -122,7 +122,7 @@ def _close_rows(
     if options.part is None:
         return offset, axis
     cutter = options.part.reacher.cutter
-    return divided(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
+    return divide_path(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
 
 
 AXIS_CORRECTIONS: Mapping[str, AxisCorrection] = {

@@ -119,7 +119,7 @@ class Nodes:
             self.spacing
         )  # fmt: skip
 
-    def joined(self, more: Nodes) -> Nodes:
+    def join(self, more: Nodes) -> Nodes:
         """Append ``more`` nodes."""
 
         def both(name: str) -> Any:
@@ -143,7 +143,7 @@ class Freedom:
         """Where any axis is free (n,)."""
         return np.asarray(self.free.any(axis=1) | self.upright)
 
-    def joined(self, more: Freedom) -> Freedom:
+    def join(self, more: Freedom) -> Freedom:
         """Append what is free at ``more`` nodes, where the same directions were tried."""
         free, upright = np.concatenate([self.free, more.free]), np.concatenate([self.upright, more.upright])
         return Freedom(self.direction, free, upright, np.concatenate([self.met, more.met]))
@@ -195,10 +195,10 @@ def surface_nodes(mesh: Mesh, facets: Bools, reacher: Reacher, tree: FacetTree, 
     summed = np.cumsum(part)
     chosen = np.unique(np.searchsorted(summed, (np.arange(count) + 0.5) * (summed[-1] / count)))
     point, facet, normal = point[chosen], facet[chosen], mesh.normal[facet[chosen]]
-    return Nodes(point, facet, normal, *raised(reacher, tree, point, normal), spacing)
+    return Nodes(point, facet, normal, *raise_contacts(reacher, tree, point, normal), spacing)
 
 
-def raised(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> tuple[Floats, Bools]:
+def raise_contacts(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> tuple[Floats, Bools]:
     """Raise contacts (n, 3) mm along their unit ``normal`` (n, 3) until a ball end is out of the part, and
     say which (n,) are: within RAISED of its radius. Of other cutters nothing is known before their axis is:
     they stay."""
@@ -227,7 +227,7 @@ def with_margin(reacher: Reacher, margin: float = MARGIN) -> Reacher:
     shank, holder = (
         tuple((wide + 2.0 * margin, long) for wide, long in rows) for rows in (reacher.shank, reacher.holder)
     )
-    return replace(reacher, cutter=reacher.cutter.thickened(margin), shank=shank, holder=holder)
+    return replace(reacher, cutter=reacher.cutter.thicken_neck(margin), shank=shank, holder=holder)
 
 
 def are_free(
@@ -240,10 +240,10 @@ def are_free(
 ) -> Bools:
     """Ask whether (n,) the tool is free on these contacts ``stand`` (n, 3) mm with unit ``normal`` and
     ``axis`` (n, 3)."""
-    return np.asarray(_met(reacher, tree, stand, normal, axis, progress) == Obstacle.NONE)
+    return np.asarray(_find_obstacles(reacher, tree, stand, normal, axis, progress) == Obstacle.NONE)
 
 
-def _met(
+def _find_obstacles(
     reacher: Reacher, tree: FacetTree, stand: Floats, normal: Floats, axis: Floats,
     progress: Progress = silent,
     height: Floats | None = None,
@@ -267,9 +267,9 @@ def find_freedom(
     stands."""
     direction = direction[within_limits(reacher, direction)]
     rows, height = np.arange(len(nodes.point)), part_heights(tree, nodes.normal)
-    found = _tried(nodes, rows, with_way_out(reacher, tree), tree, direction, height, progress)
+    found = _try_directions(nodes, rows, with_way_out(reacher, tree), tree, direction, height, progress)
     if len(held := rows[nodes.fits & ~found.some]):
-        here = _tried(nodes, held, reacher, tree, direction, height[held], progress)
+        here = _try_directions(nodes, held, reacher, tree, direction, height[held], progress)
         found.free[held], found.upright[held], found.met[held] = here.free, here.upright, here.met
     return found
 
@@ -280,7 +280,7 @@ def with_way_out(reacher: Reacher, tree: FacetTree) -> Reacher:
     return replace(reacher, far=2.0 * float(np.linalg.norm(tree.half[:, 0])) + tree.most_allowance)
 
 
-def _tried(
+def _try_directions(
     nodes: Nodes,
     rows: Ints,
     reacher: Reacher,
@@ -300,13 +300,15 @@ def _tried(
         np.where(fits, int(Obstacle.LIMITS), int(Obstacle.CUTTER)),
     )
     within = replace(reacher, kinematics=None, most=math.pi)
-    met = _met(within, tree, stand[node], normal[node], direction[way], progress, height[node])
+    met = _find_obstacles(within, tree, stand[node], normal[node], direction[way], progress, height[node])
     free[node, way] = met == Obstacle.NONE
     above = along[node, way] > math.cos(
         WIDEST
     )  # what an undercut meets below the surface is no reason: few places have one
     np.maximum.at(farthest, node[above], met[above])
-    own = np.where(fits, _met(reacher, tree, stand, normal, normal, height=height), int(Obstacle.CUTTER))
+    own = np.where(
+        fits, _find_obstacles(reacher, tree, stand, normal, normal, height=height), int(Obstacle.CUTTER)
+    )
     return Freedom(direction, free, own == Obstacle.NONE, np.maximum(farthest, own))
 
 
@@ -326,7 +328,7 @@ def find_field(
         np.zeros(len(nodes.point), np.bool_),
     )
     for _ in range(2):
-        axis = _smoothed(axis, nodes.normal, (near, weight), freedom, strict)
+        axis = _smooth_field(axis, nodes.normal, (near, weight), freedom, strict)
         progress("axis field", 1.0)
         strict[some] |= ~are_free(reacher, tree, nodes.stand[some], nodes.normal[some], axis[some])
     nearest, _ = nearest_free(axis, nodes.normal, freedom)
@@ -384,7 +386,7 @@ def _nearest_of_few(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Flo
     return np.where(got[:, None], found, axis), got
 
 
-def _smoothed(
+def _smooth_field(
     axis: Floats, normal: Floats, about: tuple[Ints, Floats], freedom: Freedom, strict: Bools
 ) -> Floats:
     """Return the field after ROUNDS means ``about`` each node: its neighbours (n, k) and their weights (n,

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Number, Sentence, joined, say
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Number, Sentence, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, stick_out_farther
@@ -141,8 +141,8 @@ def select_facets(
     by_machine = reacher is not None and (out & (reason == Obstacle.MACHINE)).any()
     longer = ""
     if reacher is not None and by_machine:
-        longer = joined((_name_blocking(field, mesh, reacher), _try_longer(field, mesh, reacher)))
-    return facets & ~out, _left_out(mesh, out, reason, most, longer)
+        longer = join_sentences((_name_blocking(field, mesh, reacher), _try_longer(field, mesh, reacher)))
+    return facets & ~out, _report_left_out(mesh, out, reason, most, longer)
 
 
 def _some_held(field: AxisField) -> Nodes:
@@ -177,7 +177,7 @@ def _try_longer(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
     return ""
 
 
-def _left_out(mesh: Mesh, out: Bools, reason: Ints, most: float, longer: str) -> tuple[Finding, ...]:
+def _report_left_out(mesh: Mesh, out: Bools, reason: Ints, most: float, longer: str) -> tuple[Finding, ...]:
     """How much area is left out for each reason; the place is the middle of the largest such facet."""
     down = out & (reason == Obstacle.LIMITS) & (mesh.normal[:, 2] < -math.sin(LEVEL))
     groups = [(obstacle, out & ~down & (reason == obstacle)) for obstacle in _REMEDY]
@@ -205,7 +205,7 @@ def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle, longer: str) -> 
         "{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.",
         area=Area(lost, ".6g"), share=share, remedy=_REMEDY[obstacle],
     )  # fmt: skip
-    text = joined((text, longer if obstacle == Obstacle.MACHINE else ""))
+    text = join_sentences((text, longer if obstacle == Obstacle.MACHINE else ""))
     return report_finding(Code.FACETS_WITHOUT_FREE_AXIS, text, lost, 0.0, place=place)
 
 

@@ -129,35 +129,38 @@ def find_cover(free: Bools, cosine: Floats, up: Floats, most: int, least: float 
     better = 1.0 + BETTER * (cosine + up)
     well, chosen = free & (cosine > WELL), list[int]()
     for frees in (well, free):
-        left = free.any(axis=1) & ~_freed(frees, chosen)
+        left = free.any(axis=1) & ~_find_freed(frees, chosen)
         while len(chosen) < most and frees.shape[1]:
             best = int(np.where(frees[left], better[left], 0.0).sum(axis=0).argmax())
             if frees[left, best].sum() < least:
                 break
             chosen.append(best)
             left &= ~frees[:, best]
-    return np.array(_paired(free, _needed(free, well, chosen, least)), np.int64)
+    return np.array(_merge_pairs(free, _drop_needless(free, well, chosen, least)), np.int64)
 
 
-def _freed(free: Bools, chosen: list[int]) -> Bools:
+def _find_freed(free: Bools, chosen: list[int]) -> Bools:
     return np.asarray(free[:, chosen].any(axis=1))
 
 
-def _needed(free: Bools, well: Bools, chosen: list[int], least: float) -> list[int]:
+def _drop_needless(free: Bools, well: Bools, chosen: list[int], least: float) -> list[int]:
     """Those chosen without each that frees hardly anything that the others do not free as well."""
     for one in list(chosen):
         rest = [other for other in chosen if other != one]
-        alone = (free[:, one] & ~_freed(free, rest)).sum(), (well[:, one] & ~_freed(well, rest)).sum()
+        alone = (
+            (free[:, one] & ~_find_freed(free, rest)).sum(),
+            (well[:, one] & ~_find_freed(well, rest)).sum(),
+        )
         if rest and max(alone) < least:
             chosen = rest
     return chosen
 
 
-def _paired(free: Bools, chosen: list[int]) -> list[int]:
+def _merge_pairs(free: Bools, chosen: list[int]) -> list[int]:
     """Those chosen with one direction in place of two wherever one frees as much."""
     for one, other in itertools.combinations(chosen, 2):
         rest = [kept for kept in chosen if kept not in (one, other)]
-        lost = free[_freed(free, [one, other]) & ~_freed(free, rest)]
+        lost = free[_find_freed(free, [one, other]) & ~_find_freed(free, rest)]
         instead = np.flatnonzero(lost.sum(axis=0) == len(lost))
         if len(rest) + 2 == len(chosen) and len(lost) and len(instead):
             chosen = [*rest, int(instead[0])]

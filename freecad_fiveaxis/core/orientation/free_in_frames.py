@@ -41,7 +41,7 @@ def free_in_frames(
     held = contacts.all_fit & (free == Free.NONE)
     rows = np.flatnonzero(held)
     held[rows] = frames.at(contacts.point[rows], contacts.mean[rows]) == own[rows]
-    return free[contacts.contact], _held(held, contacts)
+    return free[contacts.contact], _report_held(held, contacts)
 
 
 def by_frame(path: OffsetPath, frames: Frames, frame: Ints, to_and_fro: bool) -> tuple[OffsetPath, Floats]:
@@ -66,7 +66,7 @@ def _one_after_the_other(path: OffsetPath, pieces: list[OffsetPath]) -> OffsetPa
     return OffsetPath(**columns | {"polyline": columns["polyline"] + before}, findings=path.findings)
 
 
-def _held(held: Bools, contacts: Contacts) -> tuple[Finding, ...]:
+def _report_held(held: Bools, contacts: Contacts) -> tuple[Finding, ...]:
     """At how many contacts at which the ball fits the tool is not free in the frame that was to cut them."""
     count = int(np.count_nonzero(held))
     if not count:

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, take_path_rows
 
 from .auto_axis import Free, auto_axes
-from .axis_field import are_free, raised
+from .axis_field import are_free, raise_contacts
 from .facets_with_axis import AxisField
 
 TURN, STEP = math.radians(2.0), math.radians(5.0)
@@ -57,7 +57,7 @@ def find_blocked_turns(
     fine, turned, row = rows_between(path, axis, pieces, cutter.ring, cutter.barrel)
     new = np.flatnonzero(row[:-1] == row[1:])
     point, normal = fine.centre[new] - cutter.corner * fine.normal[new], fine.normal[new]
-    stand, fits = raised(reacher, tree, point, normal)
+    stand, fits = raise_contacts(reacher, tree, point, normal)
     anywhere = replace(reacher, kinematics=None, most=math.pi)
     free = are_free(anywhere, tree, stand, normal, turned[new], progress)
     blocked[row[new[fits & ~free]]] = True

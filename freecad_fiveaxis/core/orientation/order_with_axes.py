@@ -30,10 +30,10 @@ def order_with_axes(path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]
     if tour is None:
         return path, axis
     rows, piece, back = tour_rows(first, last, tour)
-    return _arranged(path, rows, piece, back), take_rows(axis, rows)
+    return _arrange_rows(path, rows, piece, back), take_rows(axis, rows)
 
 
-def _arranged(path: OffsetPath, rows: Ints, piece: Ints, back: Bools) -> OffsetPath:
+def _arrange_rows(path: OffsetPath, rows: Ints, piece: Ints, back: Bools) -> OffsetPath:
     """Return the ``rows`` (n,) as polylines ``piece`` (n,): where they are taken ``back`` (n,), what was
     before a row is after it."""
     columns = {name: getattr(path, name)[rows] for name in ROW_COLUMNS}

@@ -13,10 +13,10 @@ import numpy as np
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import away_from, row_dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.passes import facet_curvature, turned_along
+from freecad_fiveaxis.core.passes import compute_turn, facet_curvature
 from freecad_fiveaxis.core.tool import Cutter
 
-from .strategies import AxisOptions, leaned
+from .strategies import AxisOptions, lean_axis
 
 SAME_STAND = 2.0
 """deg; facets whose normals differ by less stand alike under a fixed axis when the passes are spaced."""
@@ -87,7 +87,7 @@ def _radius_around(cutter: Cutter, mesh: Mesh, rows: Ints, options: AxisOptions,
             continue
         way, normal = way[stands] / length[stands, None], normal[stands]
         bend = float(
-            np.quantile(row_dot(turned_along(facet_curvature(mesh)[:, rows[stands]], way), way), MOST)
+            np.quantile(row_dot(compute_turn(facet_curvature(mesh)[:, rows[stands]], way), way), MOST)
         )
         given = np.concatenate([normal, outward[stands], way], axis=1)
         few = np.unique(np.rint(np.degrees(given) / SAME_STAND), axis=0, return_index=True)[1]
@@ -119,9 +119,9 @@ def _radii(
     for sense in (1.0, -1.0):
         feed = np.cross(side, upright)
         feed /= sense * np.linalg.norm(feed, axis=1)[:, None]
-        axis = leaned(upright, feed, options.lead, options.tilt)
+        axis = lean_axis(upright, feed, options.lead, options.tilt)
         square = np.linalg.norm(axis - normal, axis=1) < FOREMOST_LEAD
-        axis[square] = leaned(axis[square], feed[square], FOREMOST_LEAD, 0.0)
+        axis[square] = lean_axis(axis[square], feed[square], FOREMOST_LEAD, 0.0)
         stands = np.einsum("ij,ij->i", axis, normal) > _least_upright(cutter)
         radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
     return radii
@@ -152,7 +152,7 @@ def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
     way = way[length > STEEPEST] / length[length > STEEPEST, None]
     if not len(way):
         return 0.0
-    return max(float(np.quantile(row_dot(turned_along(tensor[:, length > STEEPEST], way), way), MOST)), 0.0)
+    return max(float(np.quantile(row_dot(compute_turn(tensor[:, length > STEEPEST], way), way), MOST)), 0.0)
 
 
 def _least_upright(cutter: Cutter) -> float:

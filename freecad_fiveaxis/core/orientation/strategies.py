@@ -79,7 +79,7 @@ def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
         return axis
     feed = feed_direction(path, axis)
     tilt = options.tilt * _upper_side(path, axis, feed) if options.upwards else options.tilt
-    return leaned(axis, feed, options.lead, tilt)
+    return lean_axis(axis, feed, options.lead, tilt)
 
 
 def _upper_side(path: OffsetPath, axis: Floats, feed: Floats) -> Floats:
@@ -202,7 +202,7 @@ def find_strategy(name: str) -> Strategy:
     return STRATEGIES[name]
 
 
-def leaned(axis: Floats, feed: Floats, lead: float, tilt: Floats | float) -> Floats:
+def lean_axis(axis: Floats, feed: Floats, lead: float, tilt: Floats | float) -> Floats:
     """Return the axis turned by ``lead`` about left, then by ``tilt``, one or (n, 1), about the feed
     (Rodrigues for perpendicular vectors)."""
     right = np.cross(feed, axis)

@@ -107,7 +107,7 @@ def tilt_free(
     turned: Bools = np.asarray(offset.any(axis=1))
     beside = turned | np.append(False, turned[:-1]) | np.append(turned[1:], False)
     kept = np.flatnonzero(beside | np.append(row[1:] != row[:-1], True))
-    fine, tilted = keep_rows(fine, kept), np.where(turned[:, None], _turned(given, offset), given)[kept]
+    fine, tilted = keep_rows(fine, kept), np.where(turned[:, None], _turn_axes(given, offset), given)[kept]
     fine, tilted, offset = (fine, tilted, offset[kept]) if turned.any() else (path, axis, np.zeros_like(axis))
     swept = straight_motion(task.tips(fine, tilted), tilted, above)
     joined = np.flatnonzero(np.diff(fine.polyline) == 0)
@@ -169,7 +169,7 @@ class _Task:
         return _Hits(which_enter(Body(above), self.tree, swept, limit, blocks), lower)
 
 
-def _turned(axis: Floats, offset: Floats) -> Floats:
+def _turn_axes(axis: Floats, offset: Floats) -> Floats:
     """Return unit axes (..., 3) turned by offsets (..., 3) across them."""
     angle = np.linalg.norm(offset, axis=-1, keepdims=True)
     return np.asarray(np.cos(angle) * axis + np.sinc(angle / np.pi) * offset)
@@ -202,7 +202,7 @@ def _offsets(task: _Task, path: OffsetPath, axis: Floats, window: Bools, progres
         run = _Runs.of(
             task, take_path_rows(path, some), axis[some], window[np.minimum(some, len(window) - 1)]
         )
-        offset[some] = run.found(partial(_tell, progress, number, int(part[-1]) + 1))
+        offset[some] = run.find_offsets(partial(_tell, progress, number, int(part[-1]) + 1))
     progress("tilt", 1.0)
     return offset
 
@@ -238,7 +238,7 @@ class _Runs:
         weight = np.maximum(step, SHORTEST * task.spread)
         return cls(task, path, axis, blocks, hopeless, weight, frame, first, np.diff(first, append=len(axis)))
 
-    def found(self, tell: Callable[[float], None]) -> Floats:
+    def find_offsets(self, tell: Callable[[float], None]) -> Floats:
         """Return the offsets (n, 3); none in runs that are no freer by them."""
         most = self.task.max_tilt
         angle = np.arange(SPOKES) * (2.0 * np.pi / SPOKES)
@@ -253,18 +253,18 @@ class _Runs:
         for k in range(rounds + 1):
             tell(k / (rounds + 1.0))
             states = fan if k == 0 else cross * step * 0.5 ** (k - 1)
-            offset = self.chosen(offset, states)
+            offset = self.choose_way(offset, states)
         return self.better(offset)
 
-    def chosen(self, offset: Floats, states: Floats) -> Floats:
+    def choose_way(self, offset: Floats, states: Floats) -> Floats:
         """Return the best way through ``offset`` (n, 3) and, about it, the ``states`` (2, k), of which the
         first is none."""
         tried = offset + np.einsum("ks,knc->snc", states, self.frame)
         size = np.linalg.norm(tried, axis=2)
         tried *= np.minimum(1.0, self.task.max_tilt / np.maximum(size, self.task.max_tilt))[:, :, None]
-        axes = _turned(self.axis, tried)
+        axes = _turn_axes(self.axis, tried)
         axes /= np.linalg.norm(axes, axis=2, keepdims=True)
-        entry = np.where(self.allowed(axes), (tried * tried).sum(axis=2) * self.share(self.weight), np.inf)
+        entry = np.where(self.is_allowed(axes), (tried * tried).sum(axis=2) * self.share(self.weight), np.inf)
         tips = self.standing(axes)
         entry += self.penalty(tips, axes)
         state = cheapest(self.change(tried, tips, axes), entry, self.first, self.size)
@@ -274,7 +274,7 @@ class _Runs:
         """Tips (k, n, 3) under axes (k, n, 3)."""
         return np.stack([self.task.tips(self.path, axis) for axis in axes])
 
-    def allowed(self, axes: Floats) -> Bools:
+    def is_allowed(self, axes: Floats) -> Bools:
         """Which states (k, n) a row may take: none but the first outside the window, nor beyond the rotary
         limits, nor where the flank would lean into the facet."""
         count, n = axes.shape[:2]
@@ -322,7 +322,7 @@ class _Runs:
 
     def better(self, offset: Floats) -> Floats:
         """Return the offsets of the runs that enter over less of their way than without."""
-        axes = np.stack([self.axis, _turned(self.axis, offset)])
+        axes = np.stack([self.axis, _turn_axes(self.axis, offset)])
         summed = np.add.reduceat(self.penalty(self.standing(axes), axes), self.first, axis=1)
         return np.where(np.repeat(summed[1] < summed[0], self.size)[:, None], offset, 0.0)
 

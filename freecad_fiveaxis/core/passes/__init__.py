@@ -6,8 +6,8 @@ from .arc_curvature import arc_centre, arc_curvature, pass_curvature
 from .around_axis import facets_around
 from .contact_path import ContactPath, direction, slice_field, slice_mesh
 from .field import PassField, PassOptions, PassStrategy, Region, cut
-from .scallop import CREASE, facet_curvature, flat_interval, turned_along
-from .sides import side_findings, untouched_sides
+from .scallop import CREASE, compute_turn, facet_curvature, flat_interval
+from .sides import find_untouched_sides, side_findings
 from .spacing import prepare_planes
 from .standing import report_standing, standing_facets
 from .steep_and_shallow import Division, lay_by_slope, lay_whole
@@ -33,6 +33,7 @@ __all__ = [
     "arc_centre",
     "arc_curvature",
     "axes_within_limits",
+    "compute_turn",
     "cut",
     "direction",
     "facet_curvature",
@@ -40,6 +41,7 @@ __all__ = [
     "facets_under_axes",
     "facets_within_limits",
     "find_pass_strategy",
+    "find_untouched_sides",
     "flat_interval",
     "lay_by_slope",
     "lay_whole",
@@ -51,8 +53,6 @@ __all__ = [
     "slice_field",
     "slice_mesh",
     "standing_facets",
-    "turned_along",
     "turns_within_limits",
-    "untouched_sides",
     "with_room",
 ]  # fmt: skip

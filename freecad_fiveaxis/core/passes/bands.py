@@ -41,7 +41,7 @@ def find_chains(mesh: Mesh, slab: Ints, levels: Floats) -> tuple[Bools, Ints]:
     """Find the facets (f,) of a mesh, divided at ``levels`` (k,), that lie in chains, and the facets (n, 2)
     to either side of all co-edges on loops of chains, the lower ones first; ``slab`` (f,) of each facet."""
     loops = find_loops(mesh, slab)
-    band = _grouped(mesh, slab)
+    band = _group_facets(mesh, slab)
     low, high = _only_lines(band, loops, loops.over), _only_lines(band, loops, loops.under)
     leads = (low >= 0) & (high >= 0) & (_euler(mesh, band) == 0)
     level = np.zeros(len(leads), np.int64)
@@ -72,7 +72,7 @@ def _components(one: Ints, two: Ints, count: int) -> Ints:
     return np.asarray(scipy.sparse.csgraph.connected_components(graph, directed=False)[1], np.int64)
 
 
-def _grouped(mesh: Mesh, slab: Ints) -> Ints:
+def _group_facets(mesh: Mesh, slab: Ints) -> Ints:
     """Return the band (f,) of each facet."""
     one, two = mesh.coedge_face[mesh.coedge_face[:, 1] >= 0].T
     same = slab[one] == slab[two]

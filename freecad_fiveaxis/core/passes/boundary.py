@@ -56,7 +56,7 @@ def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
     """Read closed curves, :mod:`.curve_text`: a point X,Y,Z in mm a line, a blank line between two curves,
     perhaps names of the columns first. ``axis``: I,J,K, any length above 0. Raises SettingsError, FileError
     for what is no boundary."""
-    curves = [_closed(curve, name, number) for number, curve in enumerate(_read_curves(path, name), 1)]
+    curves = [_close_curve(curve, name, number) for number, curve in enumerate(_read_curves(path, name), 1)]
     basis = _across(axis)
     basis = basis[np.argsort([-_to_and_fro(curves, one) for one in basis])]
     seen = [curve @ basis.T for curve in curves]
@@ -65,7 +65,7 @@ def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
             text = say(
                 "curve {number} of boundary {name} has no area when it is seen along {axis}; give another "
                 "{option}",
-                number=number, name=name, axis=_listed(axis), option=Option("boundary_axis"),
+                number=number, name=name, axis=_list_numbers(axis), option=Option("boundary_axis"),
             )  # fmt: skip
             raise SettingsError(text, axis)
     point, found = np.concatenate(curves), PlaneCurves.of(seen)
@@ -74,7 +74,7 @@ def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
         text = say(
             "boundary {name} crosses itself at {place}, seen along {axis}; give curves that do not",
             name=name,
-            place=Point((x, y, z), ".6g"), axis=_listed(axis),
+            place=Point((x, y, z), ".6g"), axis=_list_numbers(axis),
         )  # fmt: skip
         raise SettingsError(text, name)
     return Boundary(name, basis, found, point.min(axis=0), point.max(axis=0))
@@ -91,7 +91,7 @@ def _across(axis: Vector) -> Floats:
     return np.array([one, np.cross(one, along)]) + 0.0
 
 
-def _listed(axis: Vector) -> str:
+def _list_numbers(axis: Vector) -> str:
     return ",".join(f"{number:g}" for number in axis)
 
 
@@ -119,7 +119,7 @@ def _unreadable(name: str) -> Sentence:
     )  # fmt: skip
 
 
-def _closed(curve: Floats, name: str, number: int) -> Floats:
+def _close_curve(curve: Floats, name: str, number: int) -> Floats:
     """Return the curve (n, 3), its last point the first to the last bit. Raises SettingsError for one that is
     open or no polygon."""
     gap = float(np.linalg.norm(curve[-1] - curve[0]))
@@ -167,7 +167,7 @@ def facets_within(
     rows = np.flatnonzero(wanted)
     kept = np.zeros(len(wanted), np.bool_)
     corner = boundary.seen(mesh.vertex)[mesh.face[rows]]
-    kept[rows] = boundary.curves.touched(corner, reach)
+    kept[rows] = boundary.curves.find_touched(corner, reach)
     if not kept.any():
         raise SettingsError(nothing_inside(boundary), boundary.name)
     return kept, _report_outside(boundary, mesh, wanted & ~kept, wanted)

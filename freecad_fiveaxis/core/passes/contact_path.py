@@ -88,7 +88,7 @@ def slice_mesh(
     x, y, z = mesh.vertex.T
     columns = (cosine * x + sine * y, z)
     upright = partial(_upright, planes, (cosine, sine))
-    return _sliced(mesh, planes, columns, cosine * y - sine * x, upright, keep, progress, plain, order)
+    return _slice_mesh(mesh, planes, columns, cosine * y - sine * x, upright, keep, progress, plain, order)
 
 
 def slice_field(
@@ -113,7 +113,7 @@ def slice_field(
             value.shape,
         )
     x, y, z = mesh.vertex.T
-    return _sliced(mesh, _planes(levels), (x, y, z), value, _as_it_is, keep, progress, plain, order)
+    return _slice_mesh(mesh, _planes(levels), (x, y, z), value, _as_it_is, keep, progress, plain, order)
 
 
 Placing = Callable[[Sequence[Floats], Ints, Floats], None]
@@ -121,7 +121,7 @@ Placing = Callable[[Sequence[Floats], Ints, Floats], None]
 n)."""
 
 
-def _sliced(
+def _slice_mesh(
     mesh: Mesh, planes: Floats, columns: tuple[Floats, ...], value: Floats, placing: Placing,
     keep: ArrayLike | None,
     progress: Progress, plain: Bools | None, order: str,
@@ -146,7 +146,7 @@ def _sliced(
     progress("slice", 0.5)
     crossing, first, plane = chain(cross)
     if plain is not None and plain.any():
-        crossing, first = _joined(mesh, cross, crossing, first, plain)
+        crossing, first = _join_coplanar(mesh, cross, crossing, first, plain)
     progress("slice", 0.8)
     chains = _Chains(crossing, first, plane, np.zeros(len(crossing), np.bool_))
     if order == "zigzag":
@@ -190,7 +190,9 @@ def _planes(offsets: ArrayLike) -> Floats:
     return planes
 
 
-def _joined(mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plain: Bools) -> tuple[Ints, Ints]:
+def _join_coplanar(
+    mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plain: Bools
+) -> tuple[Ints, Ints]:
     """Return the chains without the crossings between two plain facets of one plane."""
     stays = np.ones(len(crossing), dtype=np.bool_)
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
-from .refine import INNER, Copy, assembled
+from .refine import INNER, Copy, assemble_copy
 
 
 class Divided(NamedTuple):
@@ -38,7 +38,7 @@ class Divided(NamedTuple):
 
 def assemble(copy: Copy, part: Mesh, divided: Divided) -> Copy:
     """Make a copy of what a copy was divided into."""
-    return assembled(part, divided.vertex[:, :3], divided.face, divided.label, copy.parent[divided.owner])
+    return assemble_copy(part, divided.vertex[:, :3], divided.face, divided.label, copy.parent[divided.owner])
 
 
 def divide(copy: Copy, value: Floats, levels: Floats, carried: Floats | None = None) -> Divided:
@@ -115,7 +115,7 @@ def _strips(copy: Copy, value: Floats, level: Ints, base: Ints) -> tuple[_Strips
     count = span[:, 2] - span[:, 0] + 1
     facet = run_ids(count)
     slab = span[facet, 0] + np.arange(len(facet)) - (np.cumsum(count) - count)[facet]
-    coedge = _sorted_sides(copy.mesh, order)
+    coedge = _sort_sides(copy.mesh, order)
     first = base[coedge] - span[:, [0, 1, 0]]
     corner = np.take_along_axis(copy.mesh.face, order, axis=1), np.take_along_axis(value, order, axis=1)
     columns: list[Any] = [table[facet].T for table in (*corner, copy.coedge[coedge], first, span)]
@@ -147,7 +147,7 @@ def _pieces(strips: _Strips, levels: Floats) -> list[_Piece]:
     ]
 
 
-def _sorted_sides(mesh: Mesh, order: Ints) -> Ints:
+def _sort_sides(mesh: Mesh, order: Ints) -> Ints:
     """Return the co-edges (f, 3) between the first and the second, the second and the third, the first and
     the third corner."""
     a, b, c = order.T

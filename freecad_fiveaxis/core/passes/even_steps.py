@@ -47,13 +47,13 @@ def count_in_steps(surface: Surface, value: Floats) -> Floats:
     )
     row, piece = _spread(first, last)
     place = number[rises][row] * PIECES + piece
-    wanted = _wanted(
+    wanted = _sum_worth(
         place,
         1.0 / slope[rises][row],
         (surface.frame.area[rises] / (last - first + 1))[row],
         (int(component.max(initial=-1)) + 1) * PIECES,
     )
-    return _counted(component, share, wanted.reshape(-1, PIECES) / PIECES)
+    return _count_steps(component, share, wanted.reshape(-1, PIECES) / PIECES)
 
 
 def _shares(component: Ints, value: Floats) -> Floats:
@@ -75,7 +75,7 @@ def _spread(first: Ints, last: Ints) -> tuple[Ints, Ints]:
     return row, np.arange(len(row)) - (np.cumsum(size) - size)[row] + first[row]
 
 
-def _wanted(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:
+def _sum_worth(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:
     """Return the steps (count,) that the range is worth at each place, by those (m,) of the facets there, and
     their ``weight`` (m,)."""
     order = np.lexsort((steps, place))
@@ -89,7 +89,7 @@ def _wanted(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:
     return wanted
 
 
-def _counted(component: Ints, share: Floats, worth: Floats) -> Floats:
+def _count_steps(component: Ints, share: Floats, worth: Floats) -> Floats:
     """Return the steps (v,) from the low end of each component, where the pieces of its range are ``worth``
     (c, PIECES) so many; in all a whole number."""
     total = worth.sum(axis=1, keepdims=True)

@@ -113,7 +113,7 @@ class PassStrategy(Protocol):
     def field(self, region: Region, options: PassOptions) -> PassField:
         """Return the field and its levels. Raises what ``check`` raises."""
 
-    def untouched(
+    def report_untouched(
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
         """Return the field's findings, and what no pass touches; ``touched`` (n,): facets that passes
@@ -126,7 +126,7 @@ def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> C
     closed passes round one another become one long open one (:mod:`.spirals`). Raises SettingsError."""
     if spiral and found.surface is not None and len(found.levels) > 1 and (np.diff(found.levels) > 0.0).all():
         found = replace(found, value=off_levels(found.value, found.levels))
-    contact = _sliced(region, found, {"order": order, "progress": region.progress})
+    contact = _slice_field(region, found, {"order": order, "progress": region.progress})
     wound = _spirals(region, found, contact) if spiral else None
     if wound is not None:
         contact, spirals = wound
@@ -137,7 +137,7 @@ def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> C
     return order_pieces(contact) if order == "zigzag" else contact
 
 
-def _sliced(region: Region, found: PassField, plain: dict[str, Any]) -> ContactPath:
+def _slice_field(region: Region, found: PassField, plain: dict[str, Any]) -> ContactPath:
     """Return the passes one after the other, on the surface of the field where it has one."""
     if found.surface is not None:
         return slice_field(found.surface.mesh, found.value, found.levels, **plain)

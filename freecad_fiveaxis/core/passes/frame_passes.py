@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 from .field import PassField, PassOptions, Region
 from .frames import Frames
-from .refine import Copy, joined, taken
+from .refine import Copy, join_copies, take_facets
 from .scallop import hand_curvature_on
 from .scallop_passes import (
     ConstantScallop,
@@ -66,7 +66,7 @@ class FramePasses(ConstantScallop):
         whole = copy_region(region, ground)
         fields = list[_InFrame]()
         for frame, rows in _territories(whole, region.frames, ground.flat):
-            part = taken(whole, region.mesh, rows)
+            part = take_facets(whole, region.mesh, rows)
             region.progress("placing passes", frame / len(region.frames.axis))
             if options.within == PLANES:
                 fields.append(_InFrame(frame, _lay_planes(region, options, part, region.frames.axis[frame])))
@@ -144,7 +144,7 @@ def _one_after_the_other(fields: list[_InFrame]) -> PassField:
     value, levels, frame, findings = list[Floats](), list[Floats](), list[Ints](), list[Finding]()
     for k, (number, one) in enumerate(fields):
         assert one.surface is not None and surface is not None
-        surface = surface if k == 0 else joined(surface, one.surface)
+        surface = surface if k == 0 else join_copies(surface, one.surface)
         value.append(one.value + begin)
         levels.append(one.levels + begin)
         frame.append(np.full(len(one.levels), number))

@@ -225,8 +225,8 @@ def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count:
     root = np.full(len(source), count)
     rows, columns = np.concatenate([start, end, root]), np.concatenate([end, start, source])
     weight = np.concatenate([np.tile(length.reshape(-1), 2), known])
-    order = _counted(columns, count + 1)
-    order = order[_counted(rows[order], count + 1)]
+    order = _order_by_count(columns, count + 1)
+    order = order[_order_by_count(rows[order], count + 1)]
     rows, columns = rows[order], columns[order]
     first = np.flatnonzero(np.append(True, (np.diff(rows) != 0) | (np.diff(columns) != 0)))
     shortest = np.minimum.reduceat(weight[order], first)  # of two facets on one side the shorter counts
@@ -236,7 +236,7 @@ def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count:
     return np.asarray(scipy.sparse.csgraph.dijkstra(graph, indices=count)[:count])
 
 
-def _counted(key: Ints, count: int) -> Ints:
+def _order_by_count(key: Ints, count: int) -> Ints:
     """Return the order (n,) of keys (n,) from 0 to ``count`` - 1 by counting them, equal ones as they come:
     rows of a sparse matrix are filled so, in far less time than sorting takes."""
     place = np.arange(len(key))

@@ -66,7 +66,7 @@ class KeepOff:
         room: Floats = pieces.clear_by(centre) - self.least
         near = np.flatnonzero(room < self.least)
         if len(near):
-            room[near] = search(centre[near], pieces, facets.squared, nearest, 2)[:, 0] - self.least
+            room[near] = search(centre[near], pieces, facets.square_distances, nearest, 2)[:, 0] - self.least
         return room
 
     def allows(self, mesh: Mesh, point: Floats, facet: Ints) -> Bools:

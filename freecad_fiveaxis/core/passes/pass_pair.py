@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import row_dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
-from .scallop import TINY, facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
+from .scallop import TINY, compute_turn, facet_curvature, flat_interval, kink_factor, scallop_height
 
 ACROSS = 0.5
 """Largest cosine between a pass and the way to the other one: beyond it the other pass ends there and lies
@@ -129,10 +129,10 @@ class Strip:
         self._high = self._corner.max(axis=1)
         self._active, self._taken = np.empty(0, dtype=np.int64), 0
         self._last: tuple[tuple[float, float], FacetPass] | None = None
-        self.ranges = self._covered()
+        self.ranges = self._find_covered()
         self.area = float(mesh.area[rows].sum())
 
-    def _covered(self) -> list[tuple[float, float]]:
+    def _find_covered(self) -> list[tuple[float, float]]:
         rows = np.flatnonzero(self._high > self._low)  # a facet that lies in a plane is cut by none
         if not len(rows):
             return []
@@ -197,7 +197,7 @@ def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: f
     side = across - (here.normal @ across)[:, None] * here.normal
     slope = np.linalg.norm(side, axis=1)
     side /= np.maximum(slope, LEVEL)[:, None]
-    spread = 1.0 + radius * row_dot(turned_along(here.tensor, side), side)
+    spread = 1.0 + radius * row_dot(compute_turn(here.tensor, side), side)
     share = slope / np.sqrt(np.maximum(spread, LEVEL))
     return flat_interval(radius, scallop) * float(share.min(initial=1.0 / LEVEL))
 
@@ -220,7 +220,7 @@ def _largest(pairs: _Opposite) -> tuple[int, float]:
     row, largest, low, high = 0, 0.0, NEARLY * float(pairs.bound.max()), math.inf
     while high > largest:
         rows = np.flatnonzero((pairs.bound > low) & (pairs.bound <= high))
-        height = pairs.measured(rows)
+        height = pairs.measure(rows)
         if len(rows) and height.max() > largest:
             row, largest = int(rows[np.argmax(height)]), float(height.max())
         low, high = largest, low
@@ -238,7 +238,7 @@ class _Opposite:
         self._one, self._other, self._radius = one, other, radius
         there = other.segment[other.tree.query(one.point)[1]]
         self._across, self._chord, opposite = _way_over(one.point, other.start[there], other.way[there])
-        turned = turned_along(0.5 * (one.tensor[:, one.segment] + other.tensor[:, there]), self._across)
+        turned = compute_turn(0.5 * (one.tensor[:, one.segment] + other.tensor[:, there]), self._across)
         self._curvature = row_dot(turned, self._across)
         first, second = one.normal[one.segment], other.normal[there]
         self._upward = _unit(first + second)
@@ -252,7 +252,7 @@ class _Opposite:
         height = scallop_height(self._chord, radius, self._curvature) * factor
         self.bound = np.where(opposite, height, 0.0)
 
-    def measured(self, rows: Ints) -> Floats:
+    def measure(self, rows: Ints) -> Floats:
         """Scallop (n,) mm at these samples, from the nearest centres on both sides.
 
         Over a circle ``d^2 = r^2 + (1 + r curvature) c^2``: d from the surface to the centre, c to the

@@ -53,7 +53,7 @@ def order_pieces(contact: ContactPath) -> ContactPath:
     first = np.flatnonzero(np.diff(contact.polyline, prepend=-1))
     last = np.append(first[1:], len(contact.point)) - 1
     tour = find_better_tour(np.stack([contact.point[first], contact.point[last]], axis=1))
-    return contact if tour is None else _arranged(contact, first, last, tour)
+    return contact if tour is None else _arrange_pieces(contact, first, last, tour)
 
 
 def find_better_tour(ends: Floats) -> Tour | None:
@@ -73,7 +73,7 @@ def air(ends: Floats, tour: Tour) -> float:
 def find_tour(ends: Floats) -> Tour:
     """Begin with the first piece as it is, go to the nearest end that is left, again and again; then turn
     stretches round."""
-    return _turned(ends, _nearest(ends))
+    return _turn_stretches(ends, _nearest(ends))
 
 
 def _doors(ends: Floats, tour: Tour) -> tuple[Floats, Floats]:
@@ -104,7 +104,7 @@ def _nearest(ends: Floats) -> Tour:
     return Tour(entered >> 1, (entered & 1).astype(bool))
 
 
-def _turned(ends: Floats, tour: Tour) -> Tour:
+def _turn_stretches(ends: Floats, tour: Tour) -> Tour:
     """2-opt: of each piece the stretch behind it whose turning saves most; ``tour`` is changed in place."""
     for _ in range(TURNS):
         saved, doors = 0.0, _doors(ends, tour)
@@ -138,7 +138,7 @@ def _best_turn(leaves: Floats, enters: Floats, i: int) -> tuple[int, float]:
     return best + 1, float(now[best] - new[best])
 
 
-def _arranged(contact: ContactPath, first: Ints, last: Ints, tour: Tour) -> ContactPath:
+def _arrange_pieces(contact: ContactPath, first: Ints, last: Ints, tour: Tour) -> ContactPath:
     """Return the rows of the polylines in the order of the tour."""
     row, piece, _ = tour_rows(first, last, tour)
     columns = {name: getattr(contact, name)[row] for name in ("point", "normal", "face", "coedge", "pass_")}

@@ -124,7 +124,7 @@ class PlaneCurves:
                 )
         return None
 
-    def touched(self, corner: Floats, within: float = 0.0) -> Bools:
+    def find_touched(self, corner: Floats, within: float = 0.0) -> Bools:
         """Find which triangles (f, 3, 2) mm lie inside with some of their area, or nearer than ``within`` mm
         to what does; of those that lie aslant to an edge a few more. One that only touches an edge lies where
         its middle does."""

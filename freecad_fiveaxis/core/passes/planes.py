@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.base.sentences import Area, Length, say
 
 from .contact_path import direction
 from .field import ALL_ROUND, PassField, PassOptions, Region, Vector
-from .sides import side_findings, untouched_sides
+from .sides import find_untouched_sides, side_findings
 from .spacing import WIDEST, PlacePlanes, prepare_planes
 
 SHORTEST = 1e-9
@@ -78,14 +78,14 @@ class Planes:
             normal=self._across(options),
         )  # fmt: skip
 
-    def untouched(
+    def report_untouched(
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
         """Of upright planes the sides that they leave out, with a remedy; of others the area."""
         if field.upright is None:
             return field.findings + area_left(region, touched)
         mesh, keep = region.mesh, region.keep
-        sides = untouched_sides(mesh, keep, touched, field.levels, field.upright, region.interval)
+        sides = find_untouched_sides(mesh, keep, touched, field.levels, field.upright, region.interval)
         finer = say("a smaller stepover")
         if options.scallop is not None:
             finer = say("a smaller least interval than {interval}", interval=Length(options.least))

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from .contact_path import direction
 from .even_steps import count_in_steps
 from .field import PassField, PassOptions, Region, Vector
-from .refine import Copy, divided_by, joined, taken
+from .refine import Copy, divide_copy, join_copies, take_facets
 from .scallop_passes import OverSurface, copy_region, lay_passes, measure_copy, survey_region
 from .sources import BORDER
 
@@ -103,10 +103,10 @@ def seam_normal(along: Floats, travel: float) -> Floats:
 def divide_at_seam(copy: Copy, part: Mesh, centre: Floats, across: Floats) -> tuple[Copy, Floats]:
     """Divide the copy: its facets on either side of the plane hang together with none of the other, and on
     which side each of its vertices (v,) is: 1 or -1."""
-    copy = divided_by(copy, part, (copy.mesh.vertex - centre) @ across)
+    copy = divide_copy(copy, part, (copy.mesh.vertex - centre) @ across)
     over = (copy.mesh.vertex[copy.mesh.face].mean(axis=1) - centre) @ across >= 0.0
-    one, other = (taken(copy, part, np.flatnonzero(half)) for half in (over, ~over))
-    return joined(one, other), np.repeat([1.0, -1.0], [len(one.mesh.vertex), len(other.mesh.vertex)])
+    one, other = (take_facets(copy, part, np.flatnonzero(half)) for half in (over, ~over))
+    return join_copies(one, other), np.repeat([1.0, -1.0], [len(one.mesh.vertex), len(other.mesh.vertex)])
 
 
 def angle_about(copy: Copy, side: Floats, centre: Floats, along: Floats, across: Floats) -> Floats:

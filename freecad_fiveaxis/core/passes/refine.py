@@ -114,17 +114,17 @@ def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
         parent = parent[owner]
     vertex, face, side, owner = _split_across(vertex, face, side)
     parent = parent[owner]
-    return assembled(part, vertex, face, side, rows[parent])
+    return assemble_copy(part, vertex, face, side, rows[parent])
 
 
 def copy_facets(part: Mesh, rows: Ints) -> Copy:
     """Copy the facets ``rows`` (k,) of the part as they are."""
-    return assembled(part, np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], rows)
+    return assemble_copy(part, np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], rows)
 
 
-def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
+def take_facets(copy: Copy, part: Mesh, rows: Ints) -> Copy:
     """Return some facets (k,) of a copy as a copy of their own."""
-    halved = assembled(
+    halved = assemble_copy(
         part,
         copy.mesh.vertex,
         copy.mesh.face[rows],
@@ -134,7 +134,7 @@ def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
     return replace(halved, bend=copy.bend, short=copy.short)
 
 
-def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:
+def divide_copy(copy: Copy, part: Mesh, height: Floats) -> Copy:
     """Divide the facets of a copy where ``height`` (v,), linear over each, is 0, so that no facet has both
     signs."""
     mesh, height = copy.mesh, np.where(np.abs(height) < ON, 0.0, height)
@@ -148,10 +148,12 @@ def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:
     vertex, face, label, owner = split_sides(
         np.asarray(mesh.vertex), mesh.face, label, side, marked, top, share
     )
-    return replace(assembled(part, vertex, face, label, copy.parent[owner]), bend=copy.bend, short=copy.short)
+    return replace(
+        assemble_copy(part, vertex, face, label, copy.parent[owner]), bend=copy.bend, short=copy.short
+    )
 
 
-def joined(one: Copy, two: Copy) -> Copy:
+def join_copies(one: Copy, two: Copy) -> Copy:
     """Both copies beside each other: one mesh in which nothing of the one hangs together with the other."""
     a, b = one.mesh, two.mesh
     vertices, facets, edges = len(a.vertex), len(a.face), len(a.coedge_face)
@@ -247,10 +249,10 @@ def split_sides(
     middle[marked] = len(vertex) + np.arange(count)
     start, end = vertex[ends[marked]].transpose(1, 0, 2)
     new = 0.5 * (start + end) if share is None else start + share[:, None] * (end - start)
-    return np.concatenate([vertex, new]), *_divided(face, label, middle[side])
+    return np.concatenate([vertex, new]), *_divide_facets(face, label, middle[side])
 
 
-def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
+def _divide_facets(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
     """Facets, labels and owners of what facets become whose sides have a ``middle`` (f, 3), or -1; side 0 is
     the longest."""
     (a, b, c), (m, n, o), (p, q, r) = face.T, middle.T, label.T
@@ -269,7 +271,7 @@ def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
     return corners, sides, np.concatenate([np.flatnonzero(which) for which, _, _ in pieces])
 
 
-def assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints) -> Copy:
+def assemble_copy(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints) -> Copy:
     """Assemble the copy of facets, sides labelled with co-edges of the part. A side that the part does not
     join is joined nowhere: of two half-edges of one side and one label, in opposite senses, a co-edge is
     made."""

@@ -56,7 +56,7 @@ class Rotary(OverSurface):
         region.progress("placing passes", 0.7)
         return lay_passes(faces, surface, count_in_steps(surface, value))
 
-    def untouched(
+    def report_untouched(
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
         """Return what lies across the axis, and what no pass touches of the rest."""

@@ -141,7 +141,7 @@ def _smooth_turns(mesh: Mesh) -> tuple[Ints, Ints, Floats]:
     return first, second, 0.5 * twice_turn * np.array([x * x, y * y, z * z, x * y, y * z, z * x])
 
 
-def turned_along(tensor: Floats, direction: Floats) -> Floats:
+def compute_turn(tensor: Floats, direction: Floats) -> Floats:
     """How the normal turns (n, 3), 1/mm, along unit ``direction`` (n, 3), for tensors (6, n) of
     :func:`facet_curvature`."""
     x, y, z = direction.T

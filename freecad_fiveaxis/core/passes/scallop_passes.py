@@ -31,7 +31,7 @@ from .contact_path import slice_field
 from .field import ALL_ROUND, PassField, PassOptions, Region
 from .geodesic import FLATTEST, Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
 from .planes import area_left
-from .refine import Copy, finer_copy, joined, taken
+from .refine import Copy, finer_copy, join_copies, take_facets
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop
 from .sources import find_source, source_values
 
@@ -110,7 +110,7 @@ class OverSurface:
         """Every direction."""
         return ALL_ROUND
 
-    def untouched(
+    def report_untouched(
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
         """Return what no pass touches."""
@@ -153,11 +153,14 @@ def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
     gaps = _gaps(surface, steps, main, lambda share: region.progress("placing passes", 0.8 + 0.2 * share))
     if not gaps.any():
         return main
-    between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
+    between = take_facets(surface.copy, region.mesh, np.flatnonzero(gaps))
     more = _field_from(
-        between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0
+        between,
+        _carry_field(surface.copy, steps, gaps, between),
+        BETWEEN,
+        float(np.ceil(main.value.max())) + 1.0,
     )
-    both = joined(surface.copy, between)
+    both = join_copies(surface.copy, between)
     region.progress("placing passes", 1.0)
     value, levels = np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels])
     return PassField(value, levels, surface=both)
@@ -274,23 +277,23 @@ def _gaps(
     contact = slice_field(mesh, main.value, main.levels)
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
     tell(0.1)
-    near, normal = _sampled(
+    near, normal = _sample_segments(
         contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat
     )
     tell(0.2)
-    near, normal = _thinned(near, normal, THIN * surface.flat)
+    near, normal = _thin_points(near, normal, THIN * surface.flat)
     if not len(near):
         return np.ones(len(mesh.face), np.bool_)
     tell(0.4)
     facing = FACING * surface.flat
     samples = np.concatenate([near, facing * normal], axis=1)
-    left = _left_out(
+    left = _find_left_out(
         mesh, samples, facing * mesh.normal, GAP * 0.5 * across, lambda share: tell(0.5 + 0.5 * share)
     )
     return _touching(mesh.face, left)
 
 
-def _left_out(
+def _find_left_out(
     mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell: Callable[[float], None] | None = None
 ) -> Bools:
     """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is
@@ -298,12 +301,12 @@ def _left_out(
     tree, most = scipy.spatial.cKDTree(samples), AMPLE * float(enough.max())
 
     def ask(some: slice) -> Bools:
-        return _left_of(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
+        return _is_left_out(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
 
     return np.concatenate(in_threads(ask, batches(len(mesh.face), BATCH), tell))
 
 
-def _left_of(
+def _is_left_out(
     tree: scipy.spatial.cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float
 ) -> Bools:
     """Return the same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked
@@ -330,7 +333,7 @@ def _left_of(
     return np.asarray(left.any(axis=1))
 
 
-def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
+def _sample_segments(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
     """Points (n, 3) of segments, at most ``step`` mm apart, and the normals there."""
     pieces = np.ceil(np.linalg.norm(exit_ - entry, axis=1) / step).astype(np.int64) + 1
     row = np.repeat(np.arange(len(pieces)), pieces)
@@ -340,7 +343,7 @@ def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple
     return entry[row] + share[:, None] * (exit_ - entry)[row], normal[row]
 
 
-def _thinned(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
+def _thin_points(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
     """One of the points (n, 3), with its normal, in each cell of ``step`` mm and of ``THIN`` of the
     normal."""
     if not len(point):
@@ -361,7 +364,7 @@ def _thinned(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats
     return point[first], normal[first]
 
 
-def _carried(copy: Copy, steps: Floats, chosen: Bools, to: Copy) -> Floats:
+def _carry_field(copy: Copy, steps: Floats, chosen: Bools, to: Copy) -> Floats:
     """Return the field (w,) at the vertices of ``to``, a copy of the ``chosen`` facets in their order."""
     value = np.empty(len(to.mesh.vertex))
     value[to.mesh.face] = steps[copy.mesh.face[chosen]]

@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.base.sentences import (
     Sentence,
     Template,
     beginning,
-    joined,
+    join_sentences,
     say,
 )
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -89,7 +89,7 @@ class Side(NamedTuple):
     leans: bool
 
 
-def untouched_sides(
+def find_untouched_sides(
     mesh: Mesh, keep: Bools, touched: Ints, planes: Floats, angle: float, interval: float
 ) -> tuple[Side, ...]:
     """Return the sides that passes along ``angle`` rad leave out, the largest first.
@@ -206,7 +206,7 @@ def _finding(side: Side, mesh: Mesh, keep: Bools, angle: float, beside: list[Fin
     x, y, z = side.place.tolist()
     name = side_name(mesh, side.normal, side.place)
     lost = say("{side} is not machined: {area}.", side=beginning(name), area=Area(side.area, ".4g"))
-    text = joined((lost, _remedy(side, mesh, keep, angle, finer)))
+    text = join_sentences((lost, _remedy(side, mesh, keep, angle, finer)))
     if beside and beside[0].value is not None:
         text += say(
             " Beside it up to {height} is left between the passes.", height=Length(beside[0].value, ".4g")

@@ -56,7 +56,7 @@ class Starts:
         return cls(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64), np.empty(0))
 
     @classmethod
-    def joined(cls, parts: list[Starts]) -> Starts:
+    def join(cls, parts: list[Starts]) -> Starts:
         """Return the rows of all parts, one after another."""
         return cls(
             np.concatenate([p.crossing for p in parts]),
@@ -227,7 +227,7 @@ def find_crossings(
     opening, turning = ([none, *(pair[end] for pair in starts)] for end in (0, 1))
     coedge, left = label[0, :total], label[1, :total]
     return Crossings(
-        coedge, left, place[:, :total], next_node, exit_, base, Starts.joined(opening), Starts.joined(turning)
+        coedge, left, place[:, :total], next_node, exit_, base, Starts.join(opening), Starts.join(turning)
     )
 
 
@@ -270,11 +270,11 @@ def chain(cross: Crossings) -> tuple[Ints, Ints, Ints]:
     it turns upward.
     """
     turning = cross.turning.take(np.argsort(cross.turning.along, kind="stable"))
-    starts = Starts.joined([cross.opening, turning])
+    starts = Starts.join([cross.opening, turning])
     order = _depth_first(cross.next_node, starts.node)
     n = len(cross.next_node) - 1
     if len(order) < n + len(starts.node):  # closed chains that never turn, as on an upright wall
-        starts = Starts.joined([starts, _anywhere(cross, order)])
+        starts = Starts.join([starts, _anywhere(cross, order)])
         order = _depth_first(cross.next_node, starts.node)
     root = np.flatnonzero(order >= n)
     nodes = np.diff(root, append=len(order)) - 1

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import row_dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
-from .refine import Copy, assembled, halve_long_sides, number_sides, split_sides
+from .refine import Copy, assemble_copy, halve_long_sides, number_sides, split_sides
 from .scallop import CREASE
 
 EXACT = np.radians(0.01)
@@ -101,7 +101,7 @@ def divide_by_slope(mesh: Mesh, bound: float, overlap: float) -> Slopes:
     strip = np.zeros(len(pieces.face), np.bool_)
     if overlap > 0.0 and len(line):
         pieces, strip = _with_strip(mesh, pieces, bound, overlap, line, normal)
-    copy = assembled(mesh, pieces.vertex, pieces.face, pieces.label, pieces.owner)
+    copy = assemble_copy(mesh, pieces.vertex, pieces.face, pieces.label, pieces.owner)
     return Slopes(copy, pieces.steep, strip)
 
 
@@ -150,10 +150,10 @@ def _split_at(pieces: _Pieces, value: Floats) -> _Pieces:
         return pieces
     top = np.where(crossed.any(axis=1), crossed.argmax(axis=1), marked[side].argmax(axis=1))
     halved = split_sides(pieces.vertex, pieces.face, pieces.label, side, marked, top, at[marked])
-    return _handed_on(pieces, *halved)
+    return _hand_on(pieces, *halved)
 
 
-def _handed_on(pieces: _Pieces, vertex: Floats, face: Ints, label: Ints, of: Ints) -> _Pieces:
+def _hand_on(pieces: _Pieces, vertex: Floats, face: Ints, label: Ints, of: Ints) -> _Pieces:
     """Return what pieces became, with all that was known of those that they are ``of`` (f,)."""
     slope = _between(pieces.vertex[pieces.face[of]], pieces.slope[of], vertex[face])
     return _Pieces(vertex, face, label, pieces.owner[of], slope, pieces.steep[of])
@@ -227,7 +227,7 @@ def _finer(pieces: _Pieces, tree: scipy.spatial.cKDTree, overlap: float) -> _Pie
         halved = halve_long_sides(pieces.vertex, pieces.face, pieces.label, metric, FINE * overlap)
         if halved is None:
             break
-        pieces = _handed_on(pieces, *halved)
+        pieces = _hand_on(pieces, *halved)
     return pieces
 
 

@@ -125,7 +125,7 @@ def _refuse_off_surface(region: Region, samples: Floats) -> None:
     thick."""
     mesh = region.mesh
     facets = Facets(mesh.vertex[mesh.face[region.keep]].transpose(1, 0, 2), mesh.normal[region.keep])
-    off = search(samples, facets.pieces(), facets.squared, nearest, 2)[:, 0]
+    off = search(samples, facets.pieces(), facets.square_distances, nearest, 2)[:, 0]
     worst = int(off.argmax())
     if off[worst] <= 2.0 * region.radius:
         return

@@ -24,7 +24,7 @@ from .bands import FEWEST, find_chains
 from .contact_path import ContactPath, slice_field
 from .divide import assemble, divide
 from .piece_order import Tour, tour_rows
-from .refine import Copy, assembled, taken
+from .refine import Copy, assemble_copy, take_facets
 from .winding import find_turns
 
 TOUCH = 1e-4
@@ -68,12 +68,12 @@ def find_spirals(
     they stand the facets (n,) of the copy and the passes (n,). None where there is none."""
     if len(levels) <= FEWEST or not (np.diff(levels) > 0.0).all():
         return None
-    whole, index, slab, owner = _divided_at_loops(part, copy, value, levels)
+    whole, index, slab, owner = _divide_at_loops(part, copy, value, levels)
     inside, beside = find_chains(whole.mesh, slab, levels)
     if not inside.any():
         return None
     rows = np.flatnonzero(inside)
-    ring = taken(whole, part, rows)
+    ring = take_facets(whole, part, rows)
     rings = _cut_open(part, ring, carry(ring.mesh, index[whole.mesh.face[rows]]))
     spirals, good = _one_after_the_other(rings, _all_turns(rings))
     belongs = np.full(len(inside), -1)
@@ -116,7 +116,7 @@ def take_lines(contact: ContactPath, rows: Ints) -> ContactPath:
     return replace(contact, **columns, segment=np.arange(len(rows)) >> 1)
 
 
-def _divided_at_loops(
+def _divide_at_loops(
     part: Mesh, copy: Copy, value: Floats, levels: Floats
 ) -> tuple[Copy, Floats, Ints, Ints]:
     """Return the copy divided at all levels, the index of the loops at its vertices, the slab of its facets,
@@ -159,7 +159,7 @@ def _cut_open(part: Mesh, ring: Copy, index: Floats) -> Rings:
     face = cuts.face + len(cuts.vertex) * (
         share == 1.0
     )  # vertices at which a turn ends are others than those where one begins
-    copy = assembled(part, np.tile(cuts.vertex[:, :3], (2, 1)), face, cuts.label, ring.parent[cuts.owner])
+    copy = assemble_copy(part, np.tile(cuts.vertex[:, :3], (2, 1)), face, cuts.label, ring.parent[cuts.owner])
     pieces = int(ring.component.max(initial=-1)) + 1
     first, last = np.full(pieces, np.inf), np.full(pieces, -np.inf)
     np.minimum.at(first, ring.component, index)

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 from .contact_path import ContactPath
 from .field import PassOptions, PassStrategy, Region, cut
-from .refine import taken
+from .refine import take_facets
 from .scallop import hand_curvature_on
 from .slopes import Slopes, divide_by_slope
 from .spirals import put_beside, take_lines
@@ -72,7 +72,7 @@ def lay_whole(
     """Lay the passes of one strategy on the region, and say what they do not touch. Raises SettingsError."""
     field = strategy.field(region, options)
     contact = cut(region, field, order, spiral)
-    return contact, strategy.untouched(region, options, field, contact.face)
+    return contact, strategy.report_untouched(region, options, field, contact.face)
 
 
 def _cut_strips(
@@ -84,13 +84,13 @@ def _cut_strips(
     own = slopes.steep == steep
     kept = region.keep[slopes.copy.parent]
     rows = np.flatnonzero(own | slopes.strip | ~kept)
-    copy = taken(slopes.copy, region.mesh, rows)
+    copy = take_facets(slopes.copy, region.mesh, rows)
     hand_curvature_on(region.mesh, copy.mesh, copy.parent)
     part = replace(region, mesh=copy.mesh, keep=kept[rows])
     field = strategy.field(part, options)
     contact = cut(part, field, division.order, division.spiral)
     mostly = replace(region, keep=_mostly(slopes, kept & own, region.keep))
-    reports = strategy.untouched(mostly, options, field, np.unique(copy.parent[contact.face]))
+    reports = strategy.report_untouched(mostly, options, field, np.unique(copy.parent[contact.face]))
     reports = tuple(
         one
         for one in reports

@@ -33,7 +33,7 @@ def find_turns(mesh: Mesh, component: Ints, height: Floats) -> Floats:
     loops with what is higher to their left. ``component`` (v,); ``height`` (v,): least on the lower border of
     each ring, most on its upper one."""
     jump = _seam_jumps(mesh, component, height)
-    share = _balanced(mesh, component, jump)
+    share = _balance_share(mesh, component, jump)
     near = np.abs(share - np.round(share)) < TOUCH
     share = np.where(near, np.round(share) + TOUCH, share)
     sense = np.where(mesh.coedge_face[mesh.face_coedge, 0] == np.arange(len(mesh.face))[:, None], 1, -1)
@@ -96,7 +96,7 @@ def _with_all_before(before: Ints, ends: Ints) -> Bools:
     return on[:-1]
 
 
-def _balanced(mesh: Mesh, component: Ints, jump: Floats) -> Floats:
+def _balance_share(mesh: Mesh, component: Ints, jump: Floats) -> Floats:
     """Return the share (v,) of least change along the co-edges, each less its ``jump`` (e,)."""
     (one, two), count = mesh.coedge_vertex.T, len(mesh.vertex)
     length = np.linalg.norm(mesh.vertex[two] - mesh.vertex[one], axis=1)

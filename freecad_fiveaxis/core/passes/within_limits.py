@@ -137,9 +137,9 @@ def axes_within_limits(kinematics: Chain, axis: Floats) -> Bools:
     within = np.empty(len(axis), dtype=np.bool_)
     for part in cache_chunks(len(axis)):
         words, sine = inverse_axis(kinematics, axis[part])
-        first = _turned_within(words[:, :, 0], kinematics.low[3], kinematics.high[3])
+        first = _is_within_turns(words[:, :, 0], kinematics.low[3], kinematics.high[3])
         first |= sine == 0.0  # at the pole any first word will do
-        second = _turned_within(words[:, :, 1], kinematics.low[4], kinematics.high[4])
+        second = _is_within_turns(words[:, :, 1], kinematics.low[4], kinematics.high[4])
         within[part] = (first & second).any(axis=0)
     return within
 
@@ -194,7 +194,7 @@ def _second_alone(kinematics: Chain) -> tuple[float, float] | None:
     return mean + (least - BEYOND) * reach, mean + (most + BEYOND) * reach
 
 
-def _turned_within(word: Floats, low: float, high: float) -> Bools:
+def _is_within_turns(word: Floats, low: float, high: float) -> Bools:
     """Return True where the word, rad, lies between the limits after whole turns; NaN never does."""
     if high - low >= TURN:
         return np.isfinite(word)
@@ -204,7 +204,7 @@ def _turned_within(word: Floats, low: float, high: float) -> Bools:
 
 
 def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
-    found = _left_out(Code.FACETS_LOOKING_DOWN, _DOWN, mesh, area, out)
+    found = _report_left_out(Code.FACETS_LOOKING_DOWN, _DOWN, mesh, area, out)
     low, size = float(mesh.vertex[:, 2].min()), float(np.ptp(mesh.vertex))
     level = out & (mesh.vertex[mesh.face, 2].max(axis=1) <= low + LEVEL * size)
     if found is None or area[level].sum() < NEARLY * area[out].sum():
@@ -223,14 +223,14 @@ def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
 def report_too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:
     """Say how much area the facets ``out`` (f,) have that lean more than ``most`` rad."""
     angle = Angle(math.degrees(most))
-    return _left_out(Code.FACETS_BEYOND_AXIS_ANGLE, _STEEP, mesh, area, out, most=angle)
+    return _report_left_out(Code.FACETS_BEYOND_AXIS_ANGLE, _STEEP, mesh, area, out, most=angle)
 
 
 def report_beyond(mesh: Mesh, area: Floats, out: Bools, kinematics: Chain | None) -> Finding | None:
     """Say how much area the facets ``out`` (f,) have that need rotary words beyond the limits."""
     if kinematics is None:
         return None
-    return _left_out(Code.FACETS_BEYOND_MACHINE, _BEYOND, mesh, area, out, limits=_limits(kinematics))
+    return _report_left_out(Code.FACETS_BEYOND_MACHINE, _BEYOND, mesh, area, out, limits=_limits(kinematics))
 
 
 def _limits(kinematics: Chain) -> Sentence:
@@ -244,7 +244,7 @@ def _limits(kinematics: Chain) -> Sentence:
     return say("{one} or {other}", one=one, other=other)
 
 
-def _left_out(
+def _report_left_out(
     code: Code, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any
 ) -> Finding | None:
     """Return the finding that says how much area is left out; its place is the centre of the largest such

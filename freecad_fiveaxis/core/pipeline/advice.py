@@ -16,7 +16,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, joined, say
+from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, join_sentences, say
 from freecad_fiveaxis.core.tool import cutter_text
 
 from .collision_avoidance import finished_area, unfinished_share
@@ -77,7 +77,7 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
     if passes and axes:
         yield passes | axes
     if ball:
-        yield from ({"cutter": cutter_text(cutter.scaled(share))} for share in SMALLER)
+        yield from ({"cutter": cutter_text(cutter.scale(share))} for share in SMALLER)
 
 
 def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:
@@ -124,7 +124,11 @@ def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
     for."""
     best = trials[0] if trials else Trial({})
     if not is_worth(best):
-        tried = joined([name_changes(one.changes) for one in trials], "; ") if trials else say("nothing else")
+        tried = (
+            join_sentences([name_changes(one.changes) for one in trials], "; ")
+            if trials
+            else say("nothing else")
+        )
         return report_finding(Code.ADVICE, say("Tried, and none finishes more: {tried}.", tried=tried))
     text = say(
         "Tried: {changes} would finish {gain} more, {finished} in all; the program then takes {time} instead "
@@ -137,7 +141,7 @@ def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
 
 def name_changes(changes: Mapping[str, Any]) -> Sentence:
     """Name options and what they are changed to, as the user asks for it."""
-    return joined(
+    return join_sentences(
         [_name_change(name, str(value)) for name, value in changes.items() if value is not None], ", "
     )
 

@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.orientation.auto_axis import (
     auto_axes,
-    divided,
+    divide_path,
     find_contacts,
     refine_field,
     report_no_way_out,
@@ -69,7 +69,7 @@ def free_rows(
     none."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
-    offset, axis = divided(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
+    offset, axis = divide_path(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
     stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
     progress("axis field", 0.0)
     contacts = find_contacts(offset, mesh, reacher)
@@ -104,7 +104,7 @@ def framed_rows(
     and these axes (n, 3)."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
-    offset, axis = divided(
+    offset, axis = divide_path(
         offset, frames.axis[frame[offset.pass_]], cutter.radius, cutter.ring, cutter.barrel
     )
     axis = frames.axis[frame[offset.pass_]]

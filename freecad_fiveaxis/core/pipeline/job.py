@@ -34,7 +34,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above, without_guided
 from freecad_fiveaxis.core.motion.singularity import find_singular
 from freecad_fiveaxis.core.nc.head import slot_texts
-from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter, named_cutter_note
+from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter, note_named_cutter
 from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
 from freecad_fiveaxis.core.orientation.strategies import find_strategy
 from freecad_fiveaxis.core.passes import find_pass_strategy
@@ -150,7 +150,7 @@ def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple
     note of that."""
     cutter = find_named_cutter(text)
     taken = with_cutter(settings, cutter)
-    return taken, () if taken is settings or cutter is None else named_cutter_note(cutter)
+    return taken, () if taken is settings or cutter is None else note_named_cutter(cutter)
 
 
 class ChosenFaces(NamedTuple):
@@ -202,7 +202,7 @@ def _configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -
     written."""
     dialect = started(dialect, machine)
     dialect = dialect.fast() if settings.head.high_speed == "on" else dialect
-    dialect = dialect if settings.head.rtcp == "off" else dialect.guided(settings.head.rtcp)
+    dialect = dialect if settings.head.rtcp == "off" else dialect.guide_by(settings.head.rtcp)
     slot_texts(dialect, "", post_options(settings), inverse_time=False)
     return dialect
 

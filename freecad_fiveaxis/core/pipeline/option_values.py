@@ -45,7 +45,7 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
             say(
                 "{name} {given} is not one of {rules}",
                 name=name,
-                given=quantity.shown(given),
+                given=quantity.show_given(given),
                 rules=", ".join(rules["choices"]),
             ),
             given,
@@ -54,7 +54,7 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
         value = READERS[rules["kind"]](given, name)
     except TypeError as error:
         raise SettingsError(
-            say("{name} {given} is not of the right kind", name=name, given=quantity.shown(given)), given
+            say("{name} {given} is not of the right kind", name=name, given=quantity.show_given(given)), given
         ) from error
     numbers = [
         number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)
@@ -95,14 +95,14 @@ def read_text(given: Any, name: str) -> str:
     """Return a text that can name a file or a thing. Raises SettingsError."""
     if not isinstance(given, str) or not given:
         raise SettingsError(
-            say("{name} {given} is not a text", name=name, given=quantity.shown(given)), given
+            say("{name} {given} is not a text", name=name, given=quantity.show_given(given)), given
         )
     if not is_name(given):
         raise SettingsError(
             say(
                 "{name} {given} holds a character that no name can have; give another",
                 name=name,
-                given=quantity.shown(given),
+                given=quantity.show_given(given),
             ),
             given,
         )
@@ -113,7 +113,7 @@ def _count(given: Any, name: str) -> float:
     value = quantity.parse(given, quantity.NUMBERS, name)
     if value != int(value):
         raise SettingsError(
-            say("{name} {given} is not a whole number", name=name, given=quantity.shown(given)), given
+            say("{name} {given} is not a whole number", name=name, given=quantity.show_given(given)), given
         )
     return value
 
@@ -129,7 +129,7 @@ def _speed(given: Any, name: str) -> float:
             say(
                 "{name} {given} is no speed; give a number, 1/min, or off",
                 name=name,
-                given=quantity.shown(given),
+                given=quantity.show_given(given),
             ),
             given,
         ) from None

@@ -28,7 +28,7 @@ def plan_passes(context: MillContext, region: Region) -> PlannedPasses:
         return PlannedPasses(contact, None, untouched + contact.findings)
     field = strategy.field(region, options)
     contact = cut(region, field, order, spiral)
-    untouched = strategy.untouched(region, options, field, contact.face)
+    untouched = strategy.report_untouched(region, options, field, contact.face)
     return PlannedPasses(contact, field.frame, untouched + contact.findings)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Ints
-from freecad_fiveaxis.core.base.sentences import Length, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, join_sentences, say
 from freecad_fiveaxis.core.gouge.body_pairs import REMEDY
 from freecad_fiveaxis.core.gouge.machine_blocks import MachineBlocks
 from freecad_fiveaxis.core.gouge.machine_check import InMachine
@@ -111,7 +111,7 @@ def _no_way_finding(context: MillContext, given: InMachine, raised: Raised) -> t
     else:
         more = say("No height frees all of them: what hits there does so as it retracts or comes down.")
     value = float(missing[worst]) if np.isfinite(missing[worst]) else None
-    text = joined((text, more, _longer_tool(context, given, raised), REMEDY))
+    text = join_sentences((text, more, _longer_tool(context, given, raised), REMEDY))
     return (_at(Code.NO_WAY_ROUND, raised, worst, text, value),)
 
 

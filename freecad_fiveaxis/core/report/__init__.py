@@ -10,7 +10,7 @@ program does to the part, ``rest_material_picture`` draws it (``raster``).
 
 from .block_table import blocks_csv
 from .deviation_scale import scale_end, scale_marks
-from .drawing import Drawing, Row, Spot, draw, listed, spot
+from .drawing import Drawing, Row, Spot, draw, list_findings, spot
 from .figures import Figures, summary
 from .html_page import as_html
 from .json_text import as_json
@@ -19,7 +19,7 @@ from .markers import Marker, markers
 from .rate_table import rates_csv
 from .scope import Scope, scope
 from .text import as_text
-from .verdict import Light, Verdict, judged_largest, verdict
+from .verdict import Light, Verdict, find_largest_judged, verdict
 
 __all__ = [
     "Drawing",
@@ -35,9 +35,9 @@ __all__ = [
     "as_text",
     "blocks_csv",
     "draw",
+    "find_largest_judged",
     "judge",
-    "judged_largest",
-    "listed",
+    "list_findings",
     "markers",
     "rates_csv",
     "scale_end",

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.audit import Audit, timed_feeds
+from freecad_fiveaxis.core.audit import Audit, find_timed_feeds
 from freecad_fiveaxis.core.audit.rates import DEGREES, RATE_ROUNDING
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
@@ -18,12 +18,12 @@ from freecad_fiveaxis.core.motion.program.feeds import STILL
 from .block_table import letter_order
 
 
-def audited(program: Program, audit: Audit | None) -> dict[str, Any]:
+def summarize_audit(program: Program, audit: Audit | None) -> dict[str, Any]:
     """Return the numbers of an audit; empty without one. Feeds mm/min, lengths mm, angles degrees; None where
     nothing is known."""
     if audit is None:
         return {}
-    timed = timed_feeds(program)
+    timed = find_timed_feeds(program)
     moving = timed[audit.rates.travel[timed] > STILL]
     feed = audit.rates.tip_feed[moving]
     quickest = int(audit.rates.ratio.argmax()) if len(program.words) else 0

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.base.number_text import Choice, Column, Part, table
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.gouge import GougeCheck
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.motion.deviation import Deviation
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.singularity import Singularity
@@ -35,7 +35,7 @@ DECIMALS = 6
 def letter_order(letters: str) -> list[int]:
     """Return the columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0
     1 2 4 3); only those that the machine has."""
-    return [0, 1, 2, *sorted(fitted_columns(letters)[3:], key=lambda column: letters[column])]
+    return [0, 1, 2, *sorted(find_physical_columns(letters)[3:], key=lambda column: letters[column])]
 
 
 def header(letters: str, depth: bool = False, surface: bool = False) -> str:
@@ -62,7 +62,7 @@ def blocks_csv(
     ``gouge`` one less."""
     rows = len(program.words)
     # adding 0 turns -0 into 0
-    words = [_programmed(program, column) + 0.0 for column in letter_order(program.letters)]
+    words = [_take_programmed(program, column) + 0.0 for column in letter_order(program.letters)]
     figures = [
         deviation.u_line,
         deviation.line,
@@ -91,7 +91,7 @@ def blocks_csv(
     )
 
 
-def _programmed(program: Program, column: int) -> Floats:
+def _take_programmed(program: Program, column: int) -> Floats:
     """Return the words (m,) of one letter as the NC file says them: the tip's place where the controller
     guides it."""
     if program.guided is None or column >= 3:

@@ -47,7 +47,7 @@ class Contacts:
     def _tree(self) -> scipy.spatial.cKDTree:
         return scipy.spatial.cKDTree(self.centre)
 
-    def touched(self, driven: Floats, axis: Floats) -> Floats:
+    def find_touched(self, driven: Floats, axis: Floats) -> Floats:
         """Find the points (n, 3) mm of the ball that are nearest to the part, where it stands with ``driven``
         (n, 3) mm and unit ``axis`` (n, 3)."""
         centre = driven + self.above * axis

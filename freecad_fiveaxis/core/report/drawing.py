@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.gouge import GOUGES
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.motion.trajectory import tip_at
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -125,14 +125,14 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
     length = float((high - low).max()) / AXES_ACROSS
     worst = figures.worst[figures.judged.segment[figures.worst] > 0.0]
     curve, spoke = _curves(figures, worst)
-    stroke = _paired(figures.drawn(start - 1), figures.drawn(end))
+    stroke = _pair_ends(figures.place_drawn_ends(start - 1), figures.place_drawn_ends(end))
     level, cut = level_of(deviation, figures.tolerance, scale_end(figures)), _cutting(figures, start, end)
     diagonal = float(np.linalg.norm(high - low))
     tool = _apart(figures.tip, end[cut], low, length)
     return Drawing(
         tolerance=figures.tolerance, stroke=stroke, block=block, deviation=deviation, level=level, cut=cut,
         coat=_coats(stroke, cut, level, diagonal), apart=distances(diagonal),
-        rapid=_rapids(figures), foot=figures.drawn(tool), axis=figures.axis[tool],
+        rapid=_rapids(figures), foot=figures.place_drawn_ends(tool), axis=figures.axis[tool],
         axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3),
         chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
         low=low, high=high, markers=markers(figures),
@@ -149,7 +149,7 @@ def spot(figures: Figures, block: int) -> Spot:
         bound=float(deviation.bound[row]),
         tolerance=figures.tolerance, singular=bool(figures.singularity.singular[row]),
         turns=tuple((program.letters[k],
-            (first, second)[k - 3]) for k in fitted_columns(program.letters)[3:]),
+            (first, second)[k - 3]) for k in find_physical_columns(program.letters)[3:]),
         lean=math.degrees(figures.singularity.axis_travel[row]),
         step=math.dist(figures.tip[row - 1], figures.tip[row]),
         place=(x, y, z), ball=figures.surface is not None,
@@ -165,7 +165,7 @@ class Row(NamedTuple):
     whole: bool = False
 
 
-def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
+def list_findings(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
     """All that a list of findings shows, the gravest first; then the row of each of ``markers(figures)``.
 
     A marker that no finding tells of has a row of its own, with a finding made of its numbers.
@@ -268,7 +268,7 @@ def _apart(points: Floats, rows: Ints, low: Floats, side: float) -> Ints:
     return np.sort(rows[order[first]])
 
 
-def _paired(start: Floats, end: Floats) -> Floats:
+def _pair_ends(start: Floats, end: Floats) -> Floats:
     return np.stack([start, end], axis=1).reshape(-1, 3)
 
 
@@ -278,11 +278,11 @@ def _curves(figures: Figures, rows: Ints) -> tuple[Floats, Floats]:
     if not len(rows):
         return np.zeros((0, CURVE_POINTS, 3)), np.zeros((0, 3))
     deviation, words = figures.judged, figures.program.words
-    kinematics, start = deviation.measured(figures.kinematics, words[rows - 1])
-    end = deviation.measured(figures.kinematics, words[rows])[1]
+    kinematics, start = deviation.raise_words(figures.kinematics, words[rows - 1])
+    end = deviation.raise_words(figures.kinematics, words[rows])[1]
     way = tip_at(kinematics, start, end, np.linspace(0.0, 1.0, CURVE_POINTS)[None])
     place = tip_at(kinematics, start, end, deviation.u_segment[rows])
-    return way, _paired(segment_foot(place, way[:, 0], way[:, -1]), place)
+    return way, _pair_ends(segment_foot(place, way[:, 0], way[:, -1]), place)
 
 
 def _rapids(figures: Figures) -> Floats:
@@ -294,4 +294,4 @@ def _rapids(figures: Figures) -> Floats:
         return np.zeros((0, 3))
     words, u = figures.program.words, np.linspace(0.0, 1.0, RAPID_POINTS)[None]
     way = tip_at(figures.kinematics, words[rows - 1], words[rows], u)
-    return _paired(way[:, :-1].reshape(-1, 3), way[:, 1:].reshape(-1, 3))
+    return _pair_ends(way[:, :-1].reshape(-1, 3), way[:, 1:].reshape(-1, 3))

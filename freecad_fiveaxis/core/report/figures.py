@@ -43,7 +43,7 @@ from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.singularity import Singularity
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-from .audited import audit_rows, audited, worst_of
+from .audited import audit_rows, summarize_audit, worst_of
 from .block_table import letter_order
 from .contacts import Contacts
 from .near_part import near_part
@@ -123,13 +123,13 @@ class Figures:
         """The tool axis at each block's end (m, 3) unit, work frame."""
         return self._poses[1]
 
-    def drawn(self, rows: Ints) -> Floats:
+    def place_drawn_ends(self, rows: Ints) -> Floats:
         """Where the blocks (k,) are drawn to end (k, 3) mm: a ball that leans at its contact, all else at the
         tip."""
         return (
             self.tip[rows]
             if self.contacts is None
-            else self.contacts.touched(self.tip[rows], self.axis[rows])
+            else self.contacts.find_touched(self.tip[rows], self.axis[rows])
         )
 
     @cached_property
@@ -138,7 +138,7 @@ class Figures:
         rows = np.arange(len(self.program.words))
         if self.mesh is None or not len(rows):
             return np.ones(len(rows), bool)
-        return near_part(self.mesh, self.drawn(rows), self.stand)
+        return near_part(self.mesh, self.place_drawn_ends(rows), self.stand)
 
     @cached_property
     def _poses(self) -> tuple[Floats, Floats]:
@@ -155,7 +155,7 @@ def inner_words(words: Floats) -> Floats:
     return np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
 
 
-def guided_feeds(program: Program) -> Ints:
+def find_guided_feeds(program: Program) -> Ints:
     """Return the feed blocks in which the controller guides the tip: nothing is proven of them but where they
     end."""
     feeds = feed_blocks(program)
@@ -199,10 +199,10 @@ def summary(figures: Figures) -> dict[str, Any]:
             "proven": bool(len(feeds))
             and not over.any()
             and not unproven.any()
-            and not len(guided_feeds(program)),
+            and not len(find_guided_feeds(program)),
             "over_tolerance": int(over.sum()),
             "unproven": int(unproven.sum()),
-            "guided_blocks": len(guided_feeds(program)),
+            "guided_blocks": len(find_guided_feeds(program)),
             "max_surface_deviation": _largest(judged.segment[feeds]) if figures.surface else None,
             "max_surface_bound": _largest(judged.bound[feeds]) if figures.surface else None,
             "max_line_deviation": _largest(deviation.line[feeds]),
@@ -221,8 +221,8 @@ def summary(figures: Figures) -> dict[str, Any]:
                 for kind in reversed(Severity)
             },
         }
-        | _travelled(figures)
-        | audited(figures.program, figures.audit)
+        | _sum_travel(figures)
+        | summarize_audit(figures.program, figures.audit)
         | part_numbers(figures.program, figures.gouge, figures.rest, figures.tolerance, figures.allowed)
         | ({} if figures.mesh is None else {"unfinished_share": figures.unfinished})
     )
@@ -281,7 +281,7 @@ def _largest(values: Floats) -> float:
     return float(values.max(initial=0.0))
 
 
-def _travelled(figures: Figures) -> dict[str, object]:
+def _sum_travel(figures: Figures) -> dict[str, object]:
     program, order = figures.program, letter_order(figures.program.letters)
     cutting = (program.motion == Motion.CUT) | (program.motion == Motion.FILL)
     cutting[:1] = False

@@ -21,7 +21,7 @@ from .part_facts import deepest_entries, part_verdict
 from .plots import Plot, plots
 from .rest_material_picture import rest_svg
 from .scope import Scope, scope
-from .text import facts, grouped, number, path_verdict
+from .text import facts, group_findings, number, path_verdict
 from .verdict import Light, verdict
 
 NAMED = 11
@@ -83,7 +83,7 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
         *_rest_map(figures, numbers),
         *_pictures(plots(figures, progress), bool(numbers["feed_blocks"])),
         _section("Worst blocks", _worst(figures)),
-        *_audited(figures),
+        *_write_audit(figures),
         _section("Axes", _axes(numbers["axes"])),
         _section("Findings", _findings(figures.findings)),
         _section("Inputs", _pairs((name, _as_text(value)) for name, value in figures.inputs.items())),
@@ -272,7 +272,7 @@ HEADINGS = {
 }
 
 
-def _audited(figures: Figures) -> list[str]:
+def _write_audit(figures: Figures) -> list[str]:
     """Return the worst lines of an audit, by each kind of trouble that there is."""
     if figures.audit is None:
         return []
@@ -339,7 +339,7 @@ def _findings(findings: Sequence[Finding]) -> str:
         return "<p>None: nothing needs your attention.</p>"
     parts = []
     for severity in reversed(Severity):
-        groups = [group for group in grouped(findings) if group[0].severity == severity]
+        groups = [group for group in group_findings(findings) if group[0].severity == severity]
         if groups:
             parts.append(
                 f'<h3 class="{severity.name.lower()}">{MEANING[severity]}</h3>' + "".join(map(_group, groups))

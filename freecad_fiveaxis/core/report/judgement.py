@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.base.sentences import (
     Option,
     Sentence,
     Task,
-    joined,
+    join_sentences,
     plural,
     say,
 )
@@ -143,7 +143,9 @@ def _over_tolerance(
         )
         bends = _BALL_BENDS if surface else _TIP_BENDS
         guide = "" if surface else _GUIDE
-        return joined((lead, bends, _near(near, len(rows), program), _SPLIT, _AWAY if near else "", guide))
+        return join_sentences(
+            (lead, bends, _near(near, len(rows), program), _SPLIT, _AWAY if near else "", guide)
+        )
 
     def single(row: int) -> Sentence:
         lead = say(
@@ -156,7 +158,9 @@ def _over_tolerance(
             step=Length(_chord(kinematics, program, row), ".3f"),
         )
         keep = singularity.singular[row]
-        return joined((lead, say("Split it, or keep the tool off the pole.") if keep else say("Split it.")))
+        return join_sentences(
+            (lead, say("Split it, or keep the tool off the pole.") if keep else say("Split it."))
+        )
 
     kind = _Kind(Code.DEVIATION_OVER_TOLERANCE, deviation.segment, tolerance)
     return _findings(kind, program, deviation, rows, whole, single)
@@ -172,7 +176,7 @@ def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: In
             line=program.line[row],
             bound=Length(deviation.bound[row], ".6f"),
         )
-        return joined((lead, _SPLIT))
+        return join_sentences((lead, _SPLIT))
 
     def single(row: int) -> Sentence:
         return say(
@@ -213,7 +217,7 @@ def _near_pole(
             turns=_turns(program, row),
             lean=_lean(singularity, row),
         )
-        return joined((lead, _AWAY))
+        return join_sentences((lead, _AWAY))
 
     def single(row: int) -> Sentence:
         return say(

@@ -263,7 +263,7 @@ def _cradle(
     plate = frame.box((-outer, -half, deep), (outer, half, -gap))
     arms = [
         frame.box(
-            *_ordered(
+            *_order_ends(
                 (end * inner, -half, min(deep, height - boss)), (end * outer, half, max(-gap, height + boss))
             )
         )
@@ -283,7 +283,7 @@ def _cradle(
     floor = height - ROOM * _deepest(kinematics, axis, frame, swing, across, height)
     near, far, wide = outer + gap, outer + 2.0 * wall, 1.2 * boss
     bearings = [
-        frame.box(*_ordered((end * near, across - wide, floor), (end * far, across + wide, height + wide)))
+        frame.box(*_order_ends((end * near, across - wide, floor), (end * far, across + wide, height + wide)))
         for end in ends
     ]
     ground = frame.box((-far, across - half - wall, floor - wall), (far, across + half + wall, floor))
@@ -293,7 +293,7 @@ def _cradle(
     ]
 
 
-def _ordered(one: tuple[float, float, float], other: tuple[float, float, float]) -> tuple[Floats, Floats]:
+def _order_ends(one: tuple[float, float, float], other: tuple[float, float, float]) -> tuple[Floats, Floats]:
     return np.minimum(one, other), np.maximum(one, other)
 
 
@@ -386,7 +386,8 @@ def _fork(
     wide, beam = 0.75 * radius, clear + 0.6 * radius
     outer = inner + wall
     cheeks = [
-        frame.box(*_ordered((end * inner, -wide, -wide), (end * outer, wide, clear))) for end in (-1.0, 1.0)
+        frame.box(*_order_ends((end * inner, -wide, -wide), (end * outer, wide, clear)))
+        for end in (-1.0, 1.0)
     ]
     bridge = frame.box((-outer, -wide, clear), (outer, wide, beam))
     pin = Cylinder(pivot - outer * frame.along[0], pivot + outer * frame.along[0], 0.5 * radius)

@@ -44,17 +44,17 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
     near[figures.feeds] = figures.singularity.singular[figures.feeds]
     turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
     return (
-        *_marked(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
-        *_marked(
+        *_mark_rows(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
+        *_mark_rows(
             figures,
             Code.DEVIATION_OVER_TOLERANCE,
             _run_peaks(over, deviation.segment),
             deviation.segment,
             "{:.4g} mm",
         ),
-        *_marked(figures, Code.SINGULAR_BLOCK, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
-        *_entered(figures),
-        *_placed(figures),
+        *_mark_rows(figures, Code.SINGULAR_BLOCK, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
+        *_mark_entries(figures),
+        *_mark_placed_findings(figures),
     )
 
 
@@ -68,7 +68,7 @@ def _run_peaks(chosen: Bools, values: Floats) -> Ints:
     return worst[np.sort(first)][:MARKERS]
 
 
-def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str) -> list[Marker]:
+def _mark_rows(figures: Figures, kind: str, rows: Ints, values: Floats, label: str) -> list[Marker]:
     code = Code.SINGULAR_BLOCK if kind == Code.SINGULAR_BLOCK else Code.DEVIATION_OVER_TOLERANCE
     by_block = {one.block: one for one in reversed(figures.findings) if one.code == code}
     marks = []
@@ -79,7 +79,7 @@ def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str)
     return marks
 
 
-def _entered(figures: Figures) -> list[Marker]:
+def _mark_entries(figures: Figures) -> list[Marker]:
     """Where the tool enters the part: in each run of blocks the deepest, at the point that is entered
     most."""
     if figures.gouge is None:
@@ -102,7 +102,7 @@ def _depths(gouge: GougeCheck, motion: Bytes) -> list[tuple[str, Entries | WayEn
     return [*gouge.cases(motion), *([] if ways is None else [(Code.INDEPENDENT_RAPID, ways, ways.depth)])]
 
 
-def _placed(figures: Figures) -> list[Marker]:
+def _mark_placed_findings(figures: Figures) -> list[Marker]:
     marked = (
         Code.DEVIATION_OVER_TOLERANCE,
         Code.SINGULAR_BLOCK,

@@ -35,6 +35,6 @@ def near_part(mesh: Mesh, place: Floats, stand: float) -> Bools:
     pieces, most = facets.pieces(), NEAR + stand
     near = pieces.clear_by(place) <= most
     rows = np.flatnonzero(near)
-    found = search(place[rows], pieces, facets.squared, nearest, 2)
+    found = search(place[rows], pieces, facets.square_distances, nearest, 2)
     near[rows] = found[:, 0] <= most
     return np.asarray(near)

@@ -91,7 +91,7 @@ class Playback:
     def __post_init__(self) -> None:
         if not len(self.program.words):
             raise ProgramError(say("the program has no block that moves; there is nothing to play"), 0)
-        clock = np.cumsum(shown_seconds(self.program))
+        clock = np.cumsum(compute_shown_seconds(self.program))
         clock.flags.writeable = False
         object.__setattr__(self, "clock", clock)
 
@@ -157,8 +157,8 @@ class Playback:
 
     def _points(self, start: Floats, end: Floats, u: Floats) -> Floats:
         """Return the point whose deviation is played: as ``tip_at``."""
-        kinematics, begin = self.deviation.measured(self.kinematics, start)
-        return tip_at(kinematics, begin, self.deviation.measured(self.kinematics, end)[1], u)
+        kinematics, begin = self.deviation.raise_words(self.kinematics, start)
+        return tip_at(kinematics, begin, self.deviation.raise_words(self.kinematics, end)[1], u)
 
     def _begin(self, block: NDArray[np.int64]) -> Floats:
         return np.where(block > 0, self.clock[np.maximum(block - 1, 0)], 0.0)
@@ -179,7 +179,7 @@ class Playback:
             )
 
 
-def shown_seconds(program: Program) -> Floats:
+def compute_shown_seconds(program: Program) -> Floats:
     """How long each block (m,) is shown, s: its own time, or UNTIMED where it moves and no time is known."""
     known = np.isfinite(program.seconds) & (program.seconds > 0.0)
     moves = np.ones(len(known), bool)

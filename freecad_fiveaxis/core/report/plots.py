@@ -20,7 +20,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.motion.program import Program
 
 from .figures import Figures, axis_rates
@@ -149,7 +149,7 @@ def _along(figure: Any, figures: Figures) -> PlotText:
 
 def _angles(figure: Any, figures: Figures) -> PlotText | None:
     program, x = figures.program, _abscissa(figures.program)
-    turning = fitted_columns(program.letters)[3:]
+    turning = find_physical_columns(program.letters)[3:]
     if not turning:
         return None
     figure.set_size_inches(WIDE, 4.2)

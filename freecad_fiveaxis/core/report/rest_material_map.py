@@ -49,14 +49,14 @@ def height_scale(remainder: RestMaterial, tolerance: float, allowed: float) -> H
     """Return the scale that holds all heights; ``tolerance`` and ``allowed`` mm, above 0."""
     low, high = (float(side.max(initial=0.0)) for side in (-remainder.height, remainder.height))
     return HeightScale(
-        _rounded_up(max(low, LEAST_SPAN * tolerance)),
+        _round_up(max(low, LEAST_SPAN * tolerance)),
         tolerance,
         allowed,
-        _rounded_up(max(high, LEAST_SPAN * allowed)),
+        _round_up(max(high, LEAST_SPAN * allowed)),
     )
 
 
-def _rounded_up(value: float) -> float:
+def _round_up(value: float) -> float:
     """Return the next of 1, 2, 5, 10 ... that is not below."""
     power = 10.0 ** math.floor(math.log10(value))
     return next(mark * power for mark in (*MARKS, 10.0) if mark * power >= value * (1.0 - 1e-9))
@@ -123,10 +123,10 @@ def facet_heights(remainder: RestMaterial, facets: int, tolerance: float, allowe
 def rest_material_patches(mesh: Mesh, remainder: RestMaterial) -> Floats:
     """Return the triangles (k, 3, 3) mm that the samples of the remainder stand for: finer than facets where
     those are large."""
-    return surface_parts(mesh, remainder.spacing, machined(mesh, remainder))[0]
+    return surface_parts(mesh, remainder.spacing, find_machined(mesh, remainder))[0]
 
 
-def machined(mesh: Mesh, remainder: RestMaterial) -> Bools:
+def find_machined(mesh: Mesh, remainder: RestMaterial) -> Bools:
     """Return the facets (f,) that have samples."""
     mask = np.zeros(len(mesh.face), np.bool_)
     mask[remainder.facet] = True

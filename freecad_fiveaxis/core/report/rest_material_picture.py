@@ -20,11 +20,11 @@ from .part_facts import histogram
 from .raster import owners, png, view_from
 from .rest_material_map import (
     HeightScale,
+    find_machined,
     height_colours,
     height_levels,
     height_scale,
     level_colours,
-    machined,
     rest_material_patches,
     scale_marks,
 )
@@ -61,7 +61,7 @@ BLUE, RED = "#00286b", "#800010"
 def rest_svg(mesh: Mesh, rest: RestMaterial, tolerance: float, allowed: float) -> bytes:
     """Return the picture; the same input gives the same bytes."""
     scale = height_scale(rest, tolerance, allowed)
-    part = _coloured(mesh, rest, scale)
+    part = _colour_triangles(mesh, rest, scale)
     panels = [_view(part, rest, scale, *view) for view in VIEWS]
     panels.append(_histogram(rest, scale, min(height for _, height in panels[2:])))
     first, second = max(height for _, height in panels[:2]), max(height for _, height in panels[2:])
@@ -87,9 +87,9 @@ def _text(x: float, y: float, label: str, anchor: str = "start", fill: str = INK
     )
 
 
-def _coloured(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> tuple[Floats, Floats]:
+def _colour_triangles(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> tuple[Floats, Floats]:
     """Triangles (k, 3, 3) mm, the machined ones first, and their colours (k, 3)."""
-    patch, others = rest_material_patches(mesh, rest), mesh.vertex[mesh.face[~machined(mesh, rest)]]
+    patch, others = rest_material_patches(mesh, rest), mesh.vertex[mesh.face[~find_machined(mesh, rest)]]
     height = np.append(rest.height, np.full(len(others), np.nan))
     return np.concatenate([patch, others]), height_colours(height, scale)
 

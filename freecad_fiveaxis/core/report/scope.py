@@ -42,7 +42,9 @@ class Scope(NamedTuple):
 def scope(figures: Figures, numbers: Mapping[str, Any]) -> Scope:
     """Find what stands behind the verdict; ``numbers``: the summary."""
     return Scope(
-        tuple(_proven(figures, numbers)), tuple(_assumed(figures, numbers)), tuple(_unknown(figures))
+        tuple(_proven(figures, numbers)),
+        tuple(_state_assumptions(figures, numbers)),
+        tuple(_unknown(figures)),
     )
 
 
@@ -66,13 +68,13 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         yield from _out_of_the_part(figures)
     if figures.table is not None and Code.TABLE_COLLISION not in errors:
         yield say("the tool stays above the table's face, at Z {height}", height=Length(figures.table))
-    names, codes = looked_at_bodies(figures), {one.code for one in figures.findings}
+    names, codes = name_checked_bodies(figures), {one.code for one in figures.findings}
     if names and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
         yield say(
             "tool and spindle, as far as they are given, stay out of the machine's bodies: {names}",
             names=names,
         )
-    together = _looked_at_together(figures)
+    together = _name_moving_bodies(figures)
     if together and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
         yield say(
             "of the machine's bodies those that move against each other stay out of each other, and out of "
@@ -135,7 +137,7 @@ def _feeds_alone(figures: Figures) -> bool:
     return figures.gouge is None and figures.inputs.get("gouge") == "off"
 
 
-def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
+def _state_assumptions(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     yield say(
         "the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows "
         "it), and the part stands where the program takes it to stand",
@@ -159,14 +161,14 @@ def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]
         yield say("in a rapid all axes run in proportion to each other ({rapids})", rapids=Option("rapids"))
 
 
-def looked_at_bodies(figures: Figures) -> str:
+def name_checked_bodies(figures: Figures) -> str:
     """Name the machine's bodies that tool and spindle were checked against, with commas; none where the tip
     is guided."""
     looked_at = figures.machine.bodies if figures.program.guided is None else ()
     return ", ".join(body.name for body in looked_at if body.carrier != SPINDLE)
 
 
-def _looked_at_together(figures: Figures) -> str:
+def _name_moving_bodies(figures: Figures) -> str:
     """Name all bodies of a machine, with commas, where some move against others; none where the tip is
     guided."""
     bodies = figures.machine.bodies if figures.program.guided is None else ()
@@ -174,7 +176,7 @@ def _looked_at_together(figures: Figures) -> str:
 
 
 def _unknown(figures: Figures) -> Iterator[Sentence]:
-    if looked_at_bodies(figures):
+    if name_checked_bodies(figures):
         yield say("fixtures that were not given, other bodies of the machine, and stock that is still there")
     elif figures.fixtures:
         yield say("other fixtures, the machine's own bodies, and stock that is still there")

@@ -83,12 +83,12 @@ def leave_out(
     taken = {one.carrier for one in standing if one.place != SPINDLE}
     spindle, head = any(one.place == SPINDLE for one in standing), _last_of_head(kinematics)
 
-    def replaced(body: Body) -> bool:
+    def is_replaced(body: Body) -> bool:
         if body.name in ON_HEAD:
             return body.carrier in taken or (spindle and (body.name == "spindle" or body.carrier == head))
         return body.name in ON_TABLE and body.carrier in taken
 
-    return tuple(body for body in sketched if not replaced(body))
+    return tuple(body for body in sketched if not is_replaced(body))
 
 
 def find_edges(mesh: Mesh) -> Floats:

@@ -16,7 +16,7 @@ from .audited import audit_facts
 from .figures import Figures, summary, worst_table
 from .part_facts import part_facts, part_verdict
 from .scope import scope
-from .verdict import judged_largest, verdict
+from .verdict import find_largest_judged, verdict
 
 WIDTH = 100
 """Columns of the text report."""
@@ -62,7 +62,7 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
         return "Nothing to prove: the program has no feed blocks."
     if over:
         share = "1 block leaves" if over == 1 else f"{over} of {feeds} feed blocks leave"
-        worst = f"line {numbers['worst_line']}, by {judged_largest(numbers)[0]:.4g} mm"
+        worst = f"line {numbers['worst_line']}, by {find_largest_judged(numbers)[0]:.4g} mm"
         return f"{share} the commanded path by more than {limit}; the worst, {worst}."
     if guided := numbers["guided_blocks"]:
         which = f"all {feeds}" if guided == feeds else f"{guided} of {feeds}"
@@ -86,13 +86,13 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
         if feeds == 1
         else f"None of the {feeds} feed blocks leaves its"
     )
-    deviation, bound = judged_largest(numbers)
+    deviation, bound = find_largest_judged(numbers)
     whose = "" if numbers["max_surface_deviation"] is None else " of the ball's centre"
     largest = f"largest deviation{whose} {deviation:.4g} mm, proven bound {bound:.4g} mm"
     return f"{whole} commanded segment by more than {limit}, and that is proven ({largest})."
 
 
-def grouped(findings: Sequence[Finding]) -> list[tuple[Finding, ...]]:
+def group_findings(findings: Sequence[Finding]) -> list[tuple[Finding, ...]]:
     """Return findings of one code together, the gravest first, in the order in which they came."""
     first = {one.code: at for at, one in reversed(list(enumerate(findings)))}
     ordered = sorted(findings, key=lambda one: (-one.severity, first[one.code]))
@@ -155,20 +155,20 @@ def _not_measured() -> list[tuple[str, str]]:
 
 
 def _deviations(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """Return what is judged (:func:`_judged`), and the others."""
+    """Return what is judged (:func:`_state_judged`), and the others."""
     others = [
         ("blocks over tolerance", f"{numbers['over_tolerance']} of {numbers['feed_blocks']}"),
         ("largest deviation from the infinite line", f"{numbers['max_line_deviation']:.6f} mm"),
         ("largest deviation of the tool axis", f"{numbers['max_axis_deviation_deg']:.4f} deg"),
     ]
-    return _judged(numbers) + others
+    return _state_judged(numbers) + others
 
 
-def _judged(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
+def _state_judged(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Return what is judged, with its bound and line; where that is a ball's centre the tip's deviation after
     it."""
     worst = "" if numbers["worst_line"] is None else f" (NC line {numbers['worst_line']})"
-    deviation, bound = (f"{value:.6f} mm" for value in judged_largest(numbers))
+    deviation, bound = (f"{value:.6f} mm" for value in find_largest_judged(numbers))
     if numbers["max_surface_deviation"] is None:
         return [("largest deviation from the segment", deviation + worst), ("its proven upper bound", bound)]
     return [
@@ -238,7 +238,7 @@ def _finding_lines(findings: Sequence[Finding]) -> list[str]:
     if not findings:
         return ["No findings."]
     lines = ["Findings:"]
-    for group in grouped(findings):
+    for group in group_findings(findings):
         count = f" ({len(group)})" if len(group) > 1 else ""
         lines += _wrap(f"{group[0].severity.name} {group[0].code}{count}", "  ")
         for one in group[:NAMED]:

@@ -42,7 +42,7 @@ def coats(start: Floats, end: Floats, diagonal: float) -> Ints:
         rows = np.flatnonzero(kept[run])
         places, owner = _spread(start[rows], end[rows], run[rows], apart)
         if len(places) <= MOST_PLACES:
-            kept &= _chosen(places, owner, apart, len(kept))
+            kept &= _choose_runs(places, owner, apart, len(kept))
         widest[kept[run]] = coat
     return widest
 
@@ -74,7 +74,7 @@ def _spread(start: Floats, end: Floats, run: Ints, step: float) -> tuple[Floats,
     return start[rows] + share * (end - start)[rows], run[rows]
 
 
-def _chosen(places: Floats, owner: Ints, apart: float, runs: int) -> Bools:
+def _choose_runs(places: Floats, owner: Ints, apart: float, runs: int) -> Bools:
     """Which of ``runs`` are drawn: one after the other, those that the drawn ones before do not cover."""
     pairs = scipy.spatial.cKDTree(places).query_pairs(apart, output_type="ndarray")
     pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]

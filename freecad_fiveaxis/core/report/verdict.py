@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.sentences import (
     Number,
     Sentence,
     Template,
-    joined,
+    join_sentences,
     measure,
     plural,
     say,
@@ -70,7 +70,7 @@ class Verdict:
         return say(
             "{light}: {reasons}.",
             light=HEAD[self.light],
-            reasons=joined([*self.reasons[:NAMED], *others], "; "),
+            reasons=join_sentences([*self.reasons[:NAMED], *others], "; "),
         )
 
 
@@ -116,7 +116,7 @@ def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Findin
     }
 
 
-def judged_largest(numbers: Mapping[str, Any]) -> tuple[float, float]:
+def find_largest_judged(numbers: Mapping[str, Any]) -> tuple[float, float]:
     """Take from a summary the largest deviation that was judged, mm, and its proven bound, mm."""
     names = ("max_segment_deviation", "max_bound")
     if numbers["max_surface_deviation"] is not None:
@@ -190,7 +190,7 @@ def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
         "{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line "
         "{line})",
         all=numbers["feed_blocks"],
-        deviation=Length(judged_largest(numbers)[0], ".3g"),
+        deviation=Length(find_largest_judged(numbers)[0], ".3g"),
         tolerance=Length(figures.tolerance),
         line=numbers["worst_line"],
     )

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 
 from .figures import Figures, inner_words
@@ -39,10 +39,10 @@ def worst_block(figure: Any, figures: Figures) -> PlotText | None:
     row = int(figures.worst[0])
     value, u = float(figures.judged.segment[row]), float(figures.judged.u_segment[row])
     steps = np.append(np.linspace(0.0, 1.0, SAMPLES), u)
-    kinematics, (start, end) = figures.judged.measured(
+    kinematics, (start, end) = figures.judged.raise_words(
         figures.kinematics, figures.program.words[row - 1 : row + 1]
     )
-    curve = _driven(kinematics, start, end, steps)
+    curve = _place_real_tip(kinematics, start, end, steps)
     flat, chord = _on_plane(curve)
     spread = np.ptp(flat, axis=0)
     if not spread.max() > 0.0:
@@ -69,7 +69,7 @@ def worst_block(figure: Any, figures: Figures) -> PlotText | None:
     return "worst", f"The worst block: NC line {line}", caption, alt
 
 
-def _driven(kinematics: Chain, start: Floats, end: Floats, u: Floats) -> Floats:
+def _place_real_tip(kinematics: Chain, start: Floats, end: Floats, u: Floats) -> Floats:
     """Return the real tip (k, 3) at the shares ``u`` (k,) of a block whose axes all move evenly."""
     return forward(kinematics, inner_words(start + u[:, None] * (end - start)))[0]
 
@@ -138,7 +138,7 @@ def _draw_profile(axes: Any, figures: Figures, u: Floats, off: Floats, row: int)
 def sphere(figure: Any, figures: Figures) -> PlotText | None:
     """Return the tool axis over the whole program: as a map seen from the pole, and on the sphere; None where
     the tool cannot turn."""
-    if not fitted_columns(figures.program.letters)[3:]:
+    if not find_physical_columns(figures.program.letters)[3:]:
         return None
     pole, first, second = _frame(figures)
     paths = _axis_paths(figures)
@@ -150,7 +150,7 @@ def sphere(figure: Any, figures: Figures) -> PlotText | None:
     figure.set_layout_engine("none")
     _draw_map(figure.add_axes((0.055, 0.07, 0.43, 0.86), projection="polar"), local, spots, cone)
     figure.axes[0].set_thetagrids(
-        (0, 90, 180, 270), [_named(way) for way in (first, second, -first, -second)]
+        (0, 90, 180, 270), [_name_direction(way) for way in (first, second, -first, -second)]
     )
     _draw_sphere(figure.add_axes((0.535, 0.02, 0.45, 0.96)), local, spots, cone, figures.program.letters[3])
     tilt = np.degrees(np.arccos(np.clip(local[:, 2], -1.0, 1.0)))
@@ -181,7 +181,7 @@ def _frame(figures: Figures) -> tuple[Floats, Floats, Floats]:
     return pole, first, np.cross(pole, first)
 
 
-def _named(way: Floats) -> str:
+def _name_direction(way: Floats) -> str:
     """Return a direction of the work frame, as "X+"; empty where it is none of the six."""
     at = int(np.abs(way).argmax())
     return "XYZ"[at] + ("+" if way[at] > 0.0 else "−") if abs(way[at]) > 1.0 - 1e-9 else ""

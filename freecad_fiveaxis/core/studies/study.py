@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.files import write_all
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
-from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined, say
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
@@ -359,7 +359,7 @@ def _places(half: Vector, count: tuple[int, int, int], turns: int) -> int:
 def _refuse(chart: SetupMap) -> NoReturn:
     low, high = chart.region.low, chart.region.high
     sides = zip("XYZ", low, high, strict=True)
-    box = joined((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True),
+    box = join_sentences((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True),
         high=Length(b, bare=letter != "Z"))
                   for letter, a, b in sides), ", ")  # fmt: skip
     why = next(

@@ -115,17 +115,17 @@ def extend_way_out(body: Body, far: float) -> Body:
 def round_piece(ring: float, corner: float, height: float, part: int = CUTTER) -> Piece:
     """Return the points within ``corner`` of a disc of radius ``ring`` at ``height``, mm: a ball where
     ``ring`` is 0."""
-    return _checked(Piece(height, ring, height, ring, corner, part))
+    return _check_piece(Piece(height, ring, height, ring, corner, part))
 
 
 def frustum_piece(
     low: float, low_radius: float, high: float, high_radius: float, part: int = CUTTER
 ) -> Piece:
     """Return a cylinder or a cone frustum from height ``low`` to ``high``, mm."""
-    return _checked(Piece(low, low_radius, high, high_radius, 0.0, part))
+    return _check_piece(Piece(low, low_radius, high, high_radius, 0.0, part))
 
 
-def _checked(piece: Piece) -> Piece:
+def _check_piece(piece: Piece) -> Piece:
     sizes = (*piece[:5], piece.bulge)
     if (
         not all(0.0 <= abs(size) <= LARGEST for size in sizes)
@@ -245,7 +245,7 @@ def _cutter_pieces(cutter: Cutter) -> list[Piece]:
     corner, slope = cutter.corner, math.tan(cutter.taper)
     top = max(cutter.length, corner)
     last = min(max(top - corner, corner), top)
-    pieces = [_checked(Piece(corner, cutter.ring, last, cutter.ring + (last - corner) * slope, corner))]
+    pieces = [_check_piece(Piece(corner, cutter.ring, last, cutter.ring + (last - corner) * slope, corner))]
     if top > last:
         start = max(last - corner, min(corner, last))
         pieces.append(
@@ -257,7 +257,7 @@ def _cutter_pieces(cutter: Cutter) -> list[Piece]:
 def _barrel_pieces(cutter: Cutter, barrel: Flank) -> list[Piece]:
     corner, wide, top, widest = cutter.corner, cutter.radius, cutter.length, cutter.corner + barrel.rise
     last = max(top - corner, widest)
-    core = _checked(Piece(corner, 0.0, last, wide - corner, corner, bulge=barrel.radius - corner))
+    core = _check_piece(Piece(corner, 0.0, last, wide - corner, corner, bulge=barrel.radius - corner))
     start = max(last - corner, widest)
     return [core, *([frustum_piece(start, wide, top, wide)] if top > start else [])]
 
@@ -280,10 +280,10 @@ def off_piece(piece: Piece, radius: Floats, height: Floats) -> Off:
     if piece.low == piece.high or (piece.low_radius == 0.0 and piece.high_radius == 0.0):
         near_radius = np.minimum(radius, piece.low_radius)
         near_height = np.clip(height, piece.low, piece.high)
-        return _rounded(_from_point(radius - near_radius, height - near_height), piece.round)
+        return _grow_by(_from_point(radius - near_radius, height - near_height), piece.round)
     if piece.bulge > 0.0:
-        return _rounded(_off_bulge(piece, radius, height), piece.round)
-    return _rounded(_off_frustum(piece, radius, height), piece.round)
+        return _grow_by(_off_bulge(piece, radius, height), piece.round)
+    return _grow_by(_off_frustum(piece, radius, height), piece.round)
 
 
 def distance_off(piece: Piece, radius: Floats, height: Floats) -> Floats:
@@ -296,7 +296,7 @@ def distance_off(piece: Piece, radius: Floats, height: Floats) -> Floats:
     return np.asarray(np.sqrt(across * across + along * along) + inside - piece.round)
 
 
-def _rounded(off: Off, by: float) -> Off:
+def _grow_by(off: Off, by: float) -> Off:
     return Off(off.distance - by, off.along, off.across)
 
 

@@ -176,14 +176,14 @@ class Cutter:
             else ((_neck_begins(self), self.top_radius, self.length, self.top_radius),)
         )
 
-    def scaled(self, share: float) -> Cutter:
+    def scale(self, share: float) -> Cutter:
         """Return the cutter with its end, and its neck, ``share`` times as large, and as long as before."""
         neck, flank = (None if size is None else share * size for size in (self.neck, self.flank))
         return replace(
             self, diameter=share * self.diameter, corner=share * self.corner, neck=neck, flank=flank
         )
 
-    def thickened(self, margin: float) -> Cutter:
+    def thicken_neck(self, margin: float) -> Cutter:
         """Return the cutter with its neck ``margin`` mm thicker all round, where there is one, and at most
         half as far from the ball."""
         if self.neck is None:

@@ -18,7 +18,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.quantity import parse_angle, parse_length, shown
+from freecad_fiveaxis.core.base.quantity import parse_angle, parse_length, show_given
 from freecad_fiveaxis.core.base.sentences import say
 
 from .cutter import FULL, Cutter
@@ -73,7 +73,7 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
         raise SettingsError(
             say(
                 "cutter {text}: only {kinds} cutters are on offer; write it as {form}",
-                text=shown(text),
+                text=show_given(text),
                 kinds=", ".join(KINDS),
                 form=FORMS[0],
             ),
@@ -85,7 +85,7 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
         raise SettingsError(
             say(
                 "cutter {text} needs {sizes} or {sizes}:LENGTH, as {form} or {form}:60",
-                text=shown(text),
+                text=show_given(text),
                 sizes=f"KIND:{words}",
                 form=form,
             ),

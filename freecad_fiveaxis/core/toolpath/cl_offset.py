@@ -103,7 +103,7 @@ def cl_offset_path(
     """
     if cutter.touches_as_ball or not len(axis):
         return path, axis
-    path, axis = _swung(*_divided(path, axis, cutter, tolerance), cutter, tolerance)
+    path, axis = _swung(*_divide_turns(path, axis, cutter, tolerance), cutter, tolerance)
     hub = hub_positions(path, axis, cutter.ring, cutter.barrel)
     seated = replace(path, centre=hub, findings=path.findings + _findings_of(path, hub, axis, cutter))
     rows = np.flatnonzero(~_stands_still(seated, axis))
@@ -125,7 +125,9 @@ def _stands_still(path: OffsetPath, axis: Floats) -> Bools:
 # ----------------------------------------------------------------------------------------------- rows between
 
 
-def _divided(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
+def _divide_turns(
+    path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float
+) -> tuple[OffsetPath, Floats]:
     """Rows put between those of cutting moves in which the axis turns by more than the tolerance allows.
 
     The bottom's lowest point, or the flank's contact, moves on a circle of at most its distance from the hub

@@ -41,7 +41,7 @@ class Nodes:
     polyline: Ints
     arrives: Bools
 
-    def taken(self, at: Ints) -> Nodes:
+    def take(self, at: Ints) -> Nodes:
         """Take the nodes ``at`` (k,)."""
         return Nodes(self.row[at], self.share[at], self.polyline[at], self.arrives[at])
 
@@ -77,13 +77,13 @@ def cut_at_nodes(
     nodes = _over_seams(path, nodes)
     arrives = nodes.arrives & goes_on(nodes.polyline)
     kept = np.flatnonzero(arrives | np.append(arrives[1:], False))
-    begins, taken = ~arrives[kept], nodes.taken(kept)
+    begins, taken = ~arrives[kept], nodes.take(kept)
     columns, along = _columns(path, taken, by_centre, axis)
     kept = np.flatnonzero(_long(columns["centre" if by_centre else "point"], begins))
     begins = begins[kept]
     columns = {name: values[kept] for name, values in columns.items()}
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": columns["fill"] & ~begins}
-    beside, wall = _still_beside(path, taken.taken(kept))
+    beside, wall = _still_beside(path, taken.take(kept))
     return OffsetPath(
         **columns, beside=beside, wall=wall, findings=path.findings
     ), None if along is None else along[kept]
@@ -118,7 +118,7 @@ def _find_nodes(path: OffsetPath, boundary: Boundary, by_centre: bool) -> Nodes:
 def without_touches(nodes: Nodes) -> Nodes:
     """Without crossings that have the same on both sides: there the boundary is only touched."""
     same = nodes.arrives == np.append(nodes.arrives[1:], False)
-    return nodes.taken(np.flatnonzero((nodes.share == 1.0) | ~same))
+    return nodes.take(np.flatnonzero((nodes.share == 1.0) | ~same))
 
 
 def _with_halves_joined(path: OffsetPath, nodes: Nodes) -> Nodes:
@@ -145,7 +145,7 @@ def _with_halves_joined(path: OffsetPath, nodes: Nodes) -> Nodes:
     dropped = np.zeros(len(order), np.bool_)
     dropped[begin[before >= 0]] = True
     joined = replace(nodes, polyline=np.repeat(line, size))
-    return joined.taken(order[~dropped[order]])
+    return joined.take(order[~dropped[order]])
 
 
 def _over_seams(path: OffsetPath, nodes: Nodes) -> Nodes:
@@ -165,7 +165,7 @@ def _over_seams(path: OffsetPath, nodes: Nodes) -> Nodes:
     begin, size = begin[line], (last - first)[line]
     within = np.where(turned, (at - begin) % np.maximum(size, 1), at)
     order = np.lexsort((within, line))
-    return nodes.taken(order[~(turned & (at == first[line]))[order]])
+    return nodes.take(order[~(turned & (at == first[line]))[order]])
 
 
 def _columns(

@@ -62,9 +62,9 @@ def feasible_rows(
     if not out.any():
         return path, axis
     found = (
-        _left_out(path, leaning, Code.AXIS_INTO_PART, _LEANING),
-        _left_out(path, flank, Code.FLANK_INTO_PART, _FLANK),
-        _left_out(path, beyond, Code.AXIS_BEYOND_LIMITS, _BEYOND),
+        _report_left_out(path, leaning, Code.AXIS_INTO_PART, _LEANING),
+        _report_left_out(path, flank, Code.FLANK_INTO_PART, _FLANK),
+        _report_left_out(path, beyond, Code.AXIS_BEYOND_LIMITS, _BEYOND),
     )  # fmt: skip
     rows = lasting_rows(path, np.flatnonzero(~out))
     left = take_path_rows(path, rows)
@@ -72,7 +72,7 @@ def feasible_rows(
     return replace(left, findings=findings), take_rows(axis, rows)
 
 
-def _left_out(path: OffsetPath, out: Bools, code: Code, text: Template) -> Finding | None:
+def _report_left_out(path: OffsetPath, out: Bools, code: Code, text: Template) -> Finding | None:
     first = int(out.argmax())
     if not out[first]:
         return None

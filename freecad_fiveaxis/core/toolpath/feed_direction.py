@@ -29,7 +29,7 @@ def feed_direction(path: OffsetPath, axis: Floats) -> Floats:
     lost = np.flatnonzero(is_zero(feed))
     if len(lost):
         feed[lost] = across(behind[lost], axis[lost])
-        feed = _carried_on(feed, axis)
+        feed = _carry_on(feed, axis)
     return feed
 
 
@@ -48,24 +48,24 @@ def _steps(path: OffsetPath) -> tuple[Floats, Floats]:
     behind = np.maximum.accumulate(np.where(cuts, row, -1))
     ahead = np.append(np.minimum.accumulate(np.where(cuts, row, n)[::-1])[::-1][1:], n)
     none_behind, none_ahead = behind <= first, ahead > last
-    closed = _closed(path, first, last)
+    closed = _is_closed(path, first, last)
     behind = np.where(none_behind & closed, behind[last], behind)
     ahead = np.where(none_ahead & closed, ahead[first], ahead)
-    return _taken(move, behind, first, last), _taken(move, ahead, first, last)
+    return _take_moves(move, behind, first, last), _take_moves(move, ahead, first, last)
 
 
-def _closed(path: OffsetPath, first: Ints, last: Ints) -> Bools:
+def _is_closed(path: OffsetPath, first: Ints, last: Ints) -> Bools:
     return np.asarray(np.abs(path.centre[first] - path.centre[last]).max(axis=1) < SHORT)
 
 
-def _taken(move: Floats, at: Ints, first: Ints, last: Ints) -> Floats:
+def _take_moves(move: Floats, at: Ints, first: Ints, last: Ints) -> Floats:
     """Rows ``at`` of ``move``, zero where that lies outside the row's own polyline."""
     inside = (at > first) & (at <= last)
     taken = np.ascontiguousarray(move.T).take(np.where(inside, at, 0), axis=1)
     return np.asarray(np.where(inside, taken, 0.0).T)
 
 
-def _carried_on(feed: Floats, axis: Floats) -> Floats:
+def _carry_on(feed: Floats, axis: Floats) -> Floats:
     """Zero rows filled from the row before, and where that does not help with any perpendicular."""
     lost = np.flatnonzero(is_zero(feed))
     known = np.where(is_zero(feed), -1, np.arange(len(feed)))

@@ -8,7 +8,7 @@ from typing import Any
 
 import FreeCADGui
 
-from freecad_fiveaxis.gui.failures import guarded
+from freecad_fiveaxis.gui.failures import guard_slot
 
 from .annotate import Annotate
 from .audit import Audit
@@ -54,5 +54,5 @@ def register() -> None:
     """Make the commands known to FreeCAD."""
     for command in COMMANDS:
         instance: Any = command()
-        instance.Activated = guarded(instance.Activated)
+        instance.Activated = guard_slot(instance.Activated)
         FreeCADGui.addCommand(command.NAME, instance)

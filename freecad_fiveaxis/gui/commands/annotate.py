@@ -35,7 +35,7 @@ class Annotate:
         from freecad_fiveaxis.gui.undo import transaction
         from freecad_fiveaxis.gui.waiting import waiting
 
-        path = selected.selected_path(selected.TOOLPATH, selected.AUDIT)
+        path = selected.find_selected_path(selected.TOOLPATH, selected.AUDIT)
         if path is None:
             warn(translate("FiveAxis", "There are several paths: select the one to mark."))
             return

@@ -32,7 +32,7 @@ class Compare:
         from freecad_fiveaxis.gui.messages import warn
         from freecad_fiveaxis.gui.panels import compare
 
-        path = selected.selected_path(selected.TOOLPATH)
+        path = selected.find_selected_path(selected.TOOLPATH)
         if path is None:
             warn(
                 translate("FiveAxis", "There are several tool paths: select the one to compare machines on.")

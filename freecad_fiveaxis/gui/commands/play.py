@@ -32,7 +32,7 @@ class Play:
         from freecad_fiveaxis.gui.messages import telling, warn
         from freecad_fiveaxis.gui.waiting import waiting
 
-        path = selected.selected_path(selected.TOOLPATH, selected.AUDIT)
+        path = selected.find_selected_path(selected.TOOLPATH, selected.AUDIT)
         if path is None:
             warn(translate("FiveAxis", "There are several paths: select the one to play."))
             return

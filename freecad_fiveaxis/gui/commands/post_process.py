@@ -31,7 +31,7 @@ class PostProcess:
         from freecad_fiveaxis.gui.messages import warn
         from freecad_fiveaxis.gui.panels import post
 
-        path = selected.selected_path(selected.TOOLPATH)
+        path = selected.find_selected_path(selected.TOOLPATH)
         if path is None:
             warn(translate("FiveAxis", "There are several tool paths: select the one to write."))
         else:

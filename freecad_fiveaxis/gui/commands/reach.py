@@ -36,7 +36,7 @@ class Reach:
         with telling(), busy():
             from freecad_fiveaxis.gui.panels import reach
 
-            existing = selected.selected_reach_map()
+            existing = selected.find_selected_reach_map()
             if existing is not None:
                 reach.edit(existing)
                 return

@@ -35,7 +35,7 @@ class Rest:
         from freecad_fiveaxis.gui.undo import transaction
         from freecad_fiveaxis.gui.waiting import waiting
 
-        path = selected.selected_path(selected.TOOLPATH)
+        path = selected.find_selected_path(selected.TOOLPATH)
         if path is None:
             warn(translate("FiveAxis", "There are several tool paths: select the one to map."))
             return

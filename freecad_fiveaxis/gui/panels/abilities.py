@@ -49,7 +49,7 @@ def check_guide(dialect: Any, options: Mapping[str, Any]) -> None:
     from freecad_fiveaxis.core.base.errors import SettingsError
 
     how = options.get("rtcp", "off")
-    if how != "off" and dialect.guided(how).guide.needs_tool and not options.get("tool"):
+    if how != "off" and dialect.guide_by(how).guide.needs_tool and not options.get("tool"):
         text = translate(
             "FiveAxis", "{controller} needs the number of the tool for it: give it in the group Tool."
         )

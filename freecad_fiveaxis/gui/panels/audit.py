@@ -105,7 +105,7 @@ def create(doc: Any, chosen: Collection[Any] = ()) -> AuditPanel:
         "controller": preferences.controller(),
         "tolerance": preferences.tolerance(),
     }
-    panel.fill(changes.default_options("audit") | preferred | proposing.proposed(doc, chosen))
+    panel.fill(changes.default_options("audit") | preferred | proposing.propose_values(doc, chosen))
     return show(panel)
 
 
@@ -120,7 +120,7 @@ def edit(obj: Any) -> AuditPanel:
         "fixtures": obj.Fixtures,
         "work_zero": tuple(obj.WorkZero),
     }
-    panel.fill(changes.shown_options(obj, "audit") | extras)
+    panel.fill(changes.read_options(obj, "audit") | extras)
     return show(panel)
 
 

@@ -82,14 +82,14 @@ class SpacingField(Field):
         row.addWidget(self.kind.editor)
         for field in self.lengths.values():
             row.addWidget(field.editor, 1)
-            field.edited.connect(self._changed)
+            field.edited.connect(self._on_change)
         self.kind.edited.connect(self._turn)
         self._turn()
 
     def _turn(self) -> None:
         for kind, field in self.lengths.items():
             field.editor.setVisible(kind == self.kind.value())
-        self._changed()
+        self._on_change()
 
     def value(self) -> dict[str, float | None]:
         """Return the one that counts, mm, by its name."""
@@ -189,7 +189,7 @@ class CutterField(Field):
             chooser.chosen.connect(self._from_list)
         self.kind.edited.connect(self._turn)
         for part in self.sizes.values():
-            part.edited.connect(self._changed)
+            part.edited.connect(self._on_change)
         self._turn()
 
     def _lay_out(self) -> None:
@@ -205,7 +205,7 @@ class CutterField(Field):
         for size, field in self.sizes.items():
             for widget in self.rows[field.name]:
                 widget.setVisible(size in has)
-        self._changed()
+        self._on_change()
 
     def _from_list(self, tool: Any) -> None:
         self.show_error(tool.error)

@@ -87,7 +87,7 @@ class ComparePanel:
         from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
         self.show_error("")
-        machines, cures = chosen(self.machines), chosen(self.cures)
+        machines, cures = find_ticked(self.machines), find_ticked(self.cures)
         if not machines or not cures:
             self.show_error(translate("FiveAxis", "Tick at least one machine and one correction."))
             return False
@@ -129,7 +129,7 @@ def create(path: Any) -> ComparePanel:
     return show(ComparePanel(path))
 
 
-def chosen(box: Any) -> list[str]:
+def find_ticked(box: Any) -> list[str]:
     """Return the values of the ticked lines."""
     lines = [box.item(at) for at in range(box.count())]
     return [line.data(QtCore.Qt.UserRole) for line in lines if line.checkState() == QtCore.Qt.Checked]

@@ -136,7 +136,7 @@ class Field(QtCore.QObject):
         """Show a value as ``value`` gives it."""
         raise NotImplementedError
 
-    def _changed(self, *_: Any) -> None:
+    def _on_change(self, *_: Any) -> None:
         self.edited.emit()
 
 
@@ -155,11 +155,11 @@ class QuantityField(Field):
         self.optional, self._given, self._shown = optional, 0.0, 0.0
         self.editor.unset = _word_for_none(name) if optional else ""
         self.show_value(0.0)
-        self.editor.valueChanged.connect(self._changed)
+        self.editor.valueChanged.connect(self._on_change)
 
     def value(self) -> float | None:
         """mm or degrees."""
-        shown = self.editor.measured()
+        shown = self.editor.read_measure()
         value = self._given if shown == self._shown else shown
         return None if self.optional and value == 0.0 else value
 
@@ -167,7 +167,7 @@ class QuantityField(Field):
         """mm or degrees; None: not given."""
         self._given = float(value or 0.0)
         self.editor.show_measured(self._given)
-        self._shown = self.editor.measured()
+        self._shown = self.editor.read_measure()
 
     def room(self) -> int:
         """Six digits with their unit."""
@@ -200,7 +200,7 @@ class FeedField(Field):
         self.editor.setDecimals(4 if per_second < 60.0 else 2)
         self.editor.setRange(0.0, 1e7)  # the core knows the range, and says it
         self.editor.setSuffix(suffix)
-        self.editor.valueChanged.connect(self._changed)
+        self.editor.valueChanged.connect(self._on_change)
 
     def value(self) -> float:
         """mm/min."""
@@ -239,7 +239,7 @@ class ChoiceField(Field):
         self.editor.setMinimumContentsLength(8)
         for value, text in choices:
             self.editor.addItem(text, value)
-        self.editor.currentIndexChanged.connect(self._changed)
+        self.editor.currentIndexChanged.connect(self._on_change)
 
     def offer(self, unknown: Collection[Any]) -> None:
         """Offer all values but these, which cannot be chosen for now."""
@@ -287,7 +287,7 @@ class NumberField(Field):
         self.optional, self.whole = optional, whole
         editor.setRange(0 if optional else -10_000_000, 10_000_000)  # the core knows the range, and says it
         editor.setSpecialValueText(translate("FiveAxis", "not given") if optional else "")
-        editor.valueChanged.connect(self._changed)
+        editor.valueChanged.connect(self._on_change)
 
     def value(self) -> float | None:
         """Return the number."""
@@ -343,7 +343,7 @@ class TextField(Field):
     def __init__(self, name: str, hint: str = "", example: str = "") -> None:
         super().__init__(name, QtWidgets.QLineEdit(), hint)
         self.editor.setPlaceholderText(example)
-        self.editor.textChanged.connect(self._changed)
+        self.editor.textChanged.connect(self._on_change)
 
     def value(self) -> str:
         """Show the text."""

@@ -31,7 +31,7 @@ class FixturesField(Field):
         self.editor.setMaximumHeight(
             self.editor.fontMetrics().height() * 3 // 2 * min(max(self.editor.count(), 1), ROWS) + 6
         )
-        self.editor.itemChanged.connect(self._changed)
+        self.editor.itemChanged.connect(self._on_change)
 
     def _add(self, one: Any) -> None:
         item = QtWidgets.QListWidgetItem(one.Label)
@@ -40,18 +40,18 @@ class FixturesField(Field):
         item.setCheckState(QtCore.Qt.Unchecked)
         self.editor.addItem(item)
 
-    def _ticked(self) -> list[Any]:
+    def _find_ticked(self) -> list[Any]:
         items = [self.editor.item(row) for row in range(self.editor.count())]
         return [one for one in items if one.checkState() == QtCore.Qt.Checked]
 
     def value(self) -> list[Any]:
         """Return the objects that are ticked and still there."""
-        found = [self.doc.getObject(one.data(QtCore.Qt.UserRole)) for one in self._ticked()]
+        found = [self.doc.getObject(one.data(QtCore.Qt.UserRole)) for one in self._find_ticked()]
         return [one for one in found if one is not None]
 
     def words(self) -> str:
         """Their labels."""
-        return ", ".join(one.text() for one in self._ticked())
+        return ", ".join(one.text() for one in self._find_ticked())
 
     def show_value(self, value: Sequence[Any] | None) -> None:
         """Tick these objects and no others."""

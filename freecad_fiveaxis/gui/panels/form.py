@@ -53,10 +53,10 @@ ANY_MACHINE = ("recover",)
 def group_sections(task: str, less: Sequence[str] = ()) -> list[tuple[str, str, list[str]]]:
     """Name, title and options of each group of a task's settings, so that options that are added appear by
     themselves; but for those in ``less``, which are left to MORE."""
-    from freecad_fiveaxis.app.properties import group_of, shown_options
+    from freecad_fiveaxis.app.properties import group_of, list_options
 
     groups: dict[str, list[str]] = {}
-    for cls, leaf in shown_options(task):
+    for cls, leaf in list_options(task):
         if leaf.name not in less:
             groups.setdefault(group_of(cls, leaf), []).append(leaf.name)
     return [(name.lower(), group_label(name), names) for name, names in groups.items()]
@@ -75,10 +75,10 @@ class Form(QtCore.QObject):
         options alone are asked for, ``only``: the options that alone are; ``given``: options that are settled
         elsewhere."""
         super().__init__()
-        from freecad_fiveaxis.app.properties import shown_options
+        from freecad_fiveaxis.app.properties import list_options
 
         self.task, self.given = task, dict(given or {})
-        self.leaves = {leaf.name: leaf for cls, leaf in shown_options(task) if group in ("", cls.__name__)}
+        self.leaves = {leaf.name: leaf for cls, leaf in list_options(task) if group in ("", cls.__name__)}
         self.leaves = {name: leaf for name, leaf in self.leaves.items() if not only or name in only}
         self.extras = {field.name: field for field in extras}
         self.fields = {**self._option_fields(doc), **self.extras}
@@ -91,7 +91,7 @@ class Form(QtCore.QObject):
         self.sections = self._with_more([Section(*given) for given in sections])
         self._lay_out()
         for field in self.fields.values():
-            field.edited.connect(self._changed)
+            field.edited.connect(self._on_change)
         if self.task == "audit" and "gouge" in self.fields:  # which changes no pass
             self.fields["gouge"].offer(
                 {choice for choice in self.leaves["gouge"].metadata["choices"] if choice not in CHECKS}
@@ -155,7 +155,7 @@ class Form(QtCore.QObject):
             if any(self.fields[name].says("error") for name in section.names):
                 self.groups[section.name].unfold()
 
-    def _changed(self) -> None:
+    def _on_change(self) -> None:
         if not self.filling:
             self._depend()
             self.edited.emit()
@@ -247,7 +247,7 @@ class Form(QtCore.QObject):
             if "picked" in options and hasattr(field, "show_link"):
                 field.show_link(options["picked"].get(name))
         self.filling = False
-        self._changed()
+        self._on_change()
 
     def want(self) -> None:
         """Call a file that is not named yet an error from now on: the user asks for the result."""

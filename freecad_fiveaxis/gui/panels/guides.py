@@ -60,16 +60,16 @@ class Picker(QtCore.QObject):
         self.button.setText(translate("FiveAxis", "Pick"))
         self.button.setToolTip(wanted)
         self.button.setCheckable(True)
-        self.button.clicked.connect(self._pressed)
-        self.pick = ElementPick(self.found, lambda: self.button.setChecked(False))
+        self.button.clicked.connect(self._on_press)
+        self.pick = ElementPick(self.take_link, lambda: self.button.setChecked(False))
 
-    def _pressed(self, down: bool) -> None:
+    def _on_press(self, down: bool) -> None:
         if down:
             self.pick.start()
         else:
             self.pick.stop()
 
-    def found(self, link: Link) -> None:
+    def take_link(self, link: Link) -> None:
         """Take a link that the user has picked; say what is needed where it is none that can be used."""
         from freecad_fiveaxis.app import wording
         from freecad_fiveaxis.core.base.errors import FiveAxisError
@@ -117,7 +117,7 @@ class PlaceField(TextField):
 
     def __init__(self, name: str, zero: Zero) -> None:
         super().__init__(name, _hint(name))
-        self.picker = Picker(self, zero, _wanted(name), self._show)
+        self.picker = Picker(self, zero, _explain_pick(name), self._show)
         self.pick, self.browse, self.line = self.picker.pick, self.picker.button, self.editor
         self.editor.textEdited.connect(lambda *_: self.picker.let_go())
         self.file = QtWidgets.QToolButton() if name != "pass_centre" else None
@@ -216,13 +216,13 @@ class AxisField(TripleField):
         super().show_value(value)
         self.showing = False
 
-    def _changed(self, *_: Any) -> None:
+    def _on_change(self, *_: Any) -> None:
         if not self.showing:
             self.picker.let_go()
-            super()._changed()
+            super()._on_change()
 
 
-def _wanted(name: str) -> str:
+def _explain_pick(name: str) -> str:
     """Return what may be clicked for an option."""
     if name == "pass_centre":
         return translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
@@ -257,6 +257,6 @@ def _with(line: Any, file: Any, named: Any, name: str) -> Any:
 
 
 def _hint(name: str) -> str:
-    from freecad_fiveaxis.app.properties import shown_options
+    from freecad_fiveaxis.app.properties import list_options
 
-    return option_hint(next(leaf for _, leaf in shown_options("mill") if leaf.name == name))
+    return option_hint(next(leaf for _, leaf in list_options("mill") if leaf.name == name))

@@ -56,7 +56,7 @@ class ImportPanel(WorkPanel):
 
     def tell(self, done: Any) -> str:
         """Axes and findings."""
-        return result_html.imported(done)
+        return result_html.describe_imported(done)
 
     def files(self, done: Any) -> list[str]:
         """Return the machine file."""

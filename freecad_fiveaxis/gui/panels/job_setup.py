@@ -62,7 +62,7 @@ def ask(doc: Any, obj: Any = None, values: dict[str, Any] | None = None) -> Any:
     from freecad_fiveaxis.app import job_setup
 
     name = obj.Label if obj is not None else translate("FiveAxis", "Setup")
-    begun = shown(obj) if obj is not None else first_values() | (values or {})
+    begun = read_values(obj) if obj is not None else first_values() | (values or {})
     dialog = SetupDialog(doc, {"setup_name": name} | begun, obj)
     agreed, values = execute(dialog), dialog.options.read_values()
     dialog.deleteLater()
@@ -86,7 +86,7 @@ def edit(doc: Any, obj: Any = None) -> Any:
     return setup
 
 
-def shown(obj: Any) -> dict[str, Any]:
+def read_values(obj: Any) -> dict[str, Any]:
     """Every value of a Setup as a form shows it, None where it is not given."""
     from freecad_fiveaxis.app import job_setup
 

@@ -42,7 +42,7 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
         self.setSingleStep(0.1 if inch else 1.0)
         self.setSuffix("")  # Qt shows the value anew
 
-    def measured(self) -> float:
+    def read_measure(self) -> float:
         """mm or degrees."""
         return float(self.value() * self.factor)
 

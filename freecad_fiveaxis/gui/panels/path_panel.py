@@ -52,7 +52,7 @@ class PathPanel:
         self.summary, self.shown_parts = self.SUMMARY(), ShownParts()
         self.form = self._widget(title)
         self.calculate_button.clicked.connect(lambda *_: self.calculate())
-        form.edited.connect(self._edited)
+        form.edited.connect(self._on_edit)
 
     def _widget(self, title: str) -> Any:
         return PanelWidget(
@@ -65,7 +65,7 @@ class PathPanel:
         """Show these values; an object that is there shows its last result."""
         self.options.show_options(values)
         self.calculated = self.options.read_values() if not self.draft and self.is_current() else None
-        self._edited()
+        self._on_edit()
 
     def is_current(self) -> bool:
         """Whether the object that is there shows the result of its settings."""
@@ -99,7 +99,7 @@ class PathPanel:
             self._tell(error)
             return False
         self.calculated = self.options.read_values()
-        self._edited()
+        self._on_edit()
         reveal(self.form)
         return True
 
@@ -120,7 +120,7 @@ class PathPanel:
         self.options.show_error(gone if isinstance(error, ReferenceError) else wording.localize(error))
         reveal(self.form)
 
-    def _edited(self) -> None:
+    def _on_edit(self) -> None:
         self.options.check()
         if self.stale:
             self.summary.forget()
@@ -139,19 +139,19 @@ class PathPanel:
     def accept(self) -> bool:
         """OK: calculate if that is not done, keep what there is, close. The panel stays where something
         cannot be used, and where the path is not safe and the user goes back to change that."""
-        if (self.stale and not self.calculate()) or not self._agreed() or not self._finished():
+        if (self.stale and not self.calculate()) or not self._ask_to_keep() or not self._try_to_finish():
             return False
         self.step.keep()
         self._close()
         return True
 
-    def _agreed(self) -> bool:
+    def _ask_to_keep(self) -> bool:
         if not self.CREATES_PROGRAM or self.obj.Light != "red":
             return True
         text = self.obj.Verdict + "\n\n" + translate("FiveAxis", "Keep this path anyway?")
         return ask(text, translate("FiveAxis", "Keep anyway"), translate("FiveAxis", "Go back"))
 
-    def _finished(self) -> bool:
+    def _try_to_finish(self) -> bool:
         try:
             with waiting(self.title):
                 self.finish()

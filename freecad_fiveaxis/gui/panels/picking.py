@@ -118,26 +118,26 @@ class PointField(TripleField):
         self.button = QtWidgets.QPushButton(translate("FiveAxis", "Pick in the 3D view"))
         self.button.setObjectName(name + "_pick")
         self.button.setCheckable(True)
-        self.button.clicked.connect(self._pressed)
+        self.button.clicked.connect(self._on_press)
         self.row.addWidget(self.button, LAST, 0, 1, 3)
-        self.pick = Pick(self._found, self._ended)
+        self.pick = Pick(self._on_find, self._on_end)
         if FreeCADGui.activeDocument() is None:
             self.button.setEnabled(False)
             self.button.setToolTip(
                 translate("FiveAxis", "Open a document first: there is nothing to pick from.")
             )
 
-    def _pressed(self, down: bool) -> None:
+    def _on_press(self, down: bool) -> None:
         if down:
             self.button.setText(translate("FiveAxis", "Click a point, or press Esc"))
             self.pick.start()
         else:
             self.pick.stop()
 
-    def _found(self, point: Point) -> None:
+    def _on_find(self, point: Point) -> None:
         self.show_value(point)
         self.edited.emit()
 
-    def _ended(self) -> None:
+    def _on_end(self) -> None:
         self.button.setChecked(False)
         self.button.setText(translate("FiveAxis", "Pick in the 3D view"))

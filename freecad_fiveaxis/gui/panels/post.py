@@ -48,7 +48,7 @@ class PostPanel:
         self.spindle = None if path.Spindle else option_field(_spindle_leaf())
         self.form = self._widget()
         self._show_poor()
-        self.file.show_value(proposed_name(path))
+        self.file.show_value(propose_name(path))
 
     def _widget(self) -> Any:
         widget = QtWidgets.QWidget()
@@ -145,7 +145,7 @@ class PostPanel:
             self._put_spindle()
             figures = results.figures_of(self.path)
         self._show_poor()
-        replaced = self._agreed([nc, *reports.values()]) if self._is_wanted(figures) else None
+        replaced = self._ask_to_replace([nc, *reports.values()]) if self._is_wanted(figures) else None
         if replaced is None:
             return False
         with transaction(self.path.Document, title), waiting(title):
@@ -218,7 +218,7 @@ class PostPanel:
         stem = os.path.splitext(self._nc_path())[0]
         return {kind: f"{stem}.{kind}" for kind, box in self.reports.items() if box.isChecked()}
 
-    def _agreed(self, paths: list[str]) -> list[str] | None:
+    def _ask_to_replace(self, paths: list[str]) -> list[str] | None:
         """Those files that are there already, when the user agrees that they are replaced; None when not."""
         from freecad_fiveaxis.app.nc_output import is_ours
 
@@ -255,17 +255,17 @@ def _units_row(path: Any) -> list[Any]:
 
 
 def _spindle_leaf() -> Any:
-    from freecad_fiveaxis.app.properties import shown_options
+    from freecad_fiveaxis.app.properties import list_options
 
-    return next(leaf for _, leaf in shown_options("mill") if leaf.name == "spindle")
+    return next(leaf for _, leaf in list_options("mill") if leaf.name == "spindle")
 
 
 def _poor(figures: Any) -> list[Any]:
     """Errors, then warnings, one of each kind: the first of a kind tells of all."""
     from freecad_fiveaxis.core.base.codes import Severity
-    from freecad_fiveaxis.core.report.text import grouped
+    from freecad_fiveaxis.core.report.text import group_findings
 
-    return [group[0] for group in grouped(figures.findings) if group[0].severity > Severity.NOTE]
+    return [group[0] for group in group_findings(figures.findings) if group[0].severity > Severity.NOTE]
 
 
 def write(path: Any) -> PostPanel:
@@ -273,14 +273,14 @@ def write(path: Any) -> PostPanel:
     return show(PostPanel(path))
 
 
-def proposed_name(path: Any) -> str:
+def propose_name(path: Any) -> str:
     """Where the NC file of a Toolpath would go."""
     from freecad_fiveaxis.app.controllers import suffix_of_path
 
-    return proposed_file(path.Label or path.Name, path.Document.FileName, suffix_of_path(path))
+    return propose_file(path.Label or path.Name, path.Document.FileName, suffix_of_path(path))
 
 
-def proposed_file(name: str, document: str, suffix: str) -> str:
+def propose_file(name: str, document: str, suffix: str) -> str:
     """Return a file of that name in the folder of the preferences, else beside the file of the document, else
     in the user's own."""
     from freecad_fiveaxis.app import preferences

@@ -23,7 +23,7 @@ from . import result_html
 from .files import SaveField, all_files
 from .form import Form, group_sections
 from .picking import Point, PointField
-from .post import nc_files, proposed_file
+from .post import nc_files, propose_file
 from .work_panel import WorkPanel, open_panel
 
 USUAL_MARK = (30.0, 20.0, 0.0)
@@ -67,13 +67,13 @@ class MarkField(PointField):
         super().show_value(value)
         self._showing = False
 
-    def _changed(self, *given: Any) -> None:
+    def _on_change(self, *given: Any) -> None:
         self.given |= not self._showing
-        super()._changed(*given)
+        super()._on_change(*given)
 
-    def _found(self, point: Point) -> None:
+    def _on_find(self, point: Point) -> None:
         x, y, z = (round(there - here, 6) for there, here in zip(point, self.zero(), strict=True))
-        super()._found((x, y, z))
+        super()._on_find((x, y, z))
 
 
 class ProvePanel(WorkPanel):
@@ -117,7 +117,7 @@ class ProvePanel(WorkPanel):
         machine = options.get("machine", "")
         name = os.path.splitext(os.path.basename(machine))[0] + " " + translate("FiveAxis", "signs")
         document = FreeCAD.ActiveDocument.FileName if FreeCAD.ActiveDocument else ""
-        self.nc_file.propose(proposed_file(name, document, suffix_of(options.get("controller"), machine)))
+        self.nc_file.propose(propose_file(name, document, suffix_of(options.get("controller"), machine)))
         self._propose_sheet()
 
     def _propose_sheet(self) -> None:
@@ -169,11 +169,11 @@ def create(machine: str = "") -> ProvePanel:
         "machine": preferences.machine(),
         "controller": preferences.controller(),
     }
-    path = selected.selected_path(selected.TOOLPATH) if selected.has_path(selected.TOOLPATH) else None
+    path = selected.find_selected_path(selected.TOOLPATH) if selected.has_path(selected.TOOLPATH) else None
     if machine:
         path, values = None, values | {"machine": machine, "controller": None}
     if path is not None:
-        used = changes.shown_options(path, "mill")
+        used = changes.read_options(path, "mill")
         values |= {
             name: used[name]
             for name in ("machine", "controller", "origin", "tool_length", "tool", "work_offset")

@@ -22,7 +22,7 @@ from .path_panel import DRAWN, PathPanel, fit, show
 from .picking import PointField
 from .setup import table_of
 from .summary import Summary
-from .toolpath import milled, preferred
+from .toolpath import find_milled_solid, read_preferred
 
 OPTIONS = (
     "machine", "tool_length", "cutter", "shank", "holder", "tolerance", "table_height", "origin", "boundary",
@@ -112,12 +112,12 @@ class ReachPanel(PathPanel):
         self.axes_box.clicked.connect(lambda *_: self._show_axes())
         return widget
 
-    def _edited(self) -> None:
+    def _on_edit(self) -> None:
         """Let the empty field of the table's height say what the machine's file knows of it."""
         self.options.fields["table_height"].editor.setPlaceholderText(
             table_of(self.options.fields["machine"].value())
         )
-        super()._edited()
+        super()._on_edit()
 
     def _show_axes(self) -> None:
         if self.obj is not None:
@@ -163,7 +163,9 @@ class ReachPanel(PathPanel):
 def _part(of: Any) -> Any:
     """Return the solid that is looked at: that of a Toolpath, of a map, of a tessellation; any other object
     itself."""
-    return milled(of.Mesh if hasattr(of, "Proxy") and not is_mesh(of) and hasattr(of, "Mesh") else of)
+    return find_milled_solid(
+        of.Mesh if hasattr(of, "Proxy") and not is_mesh(of) and hasattr(of, "Mesh") else of
+    )
 
 
 def create(base: Any, faces: tuple[str, ...] = ()) -> ReachPanel:
@@ -173,7 +175,7 @@ def create(base: Any, faces: tuple[str, ...] = ()) -> ReachPanel:
 
     setup = job_setup.only_setup(base.Document)
     return _open(
-        ReachPanel(base, faces), preferred() | ({} if setup is None else job_setup.options_of(setup))
+        ReachPanel(base, faces), read_preferred() | ({} if setup is None else job_setup.options_of(setup))
     )
 
 
@@ -181,7 +183,7 @@ def create_of(path: Any) -> ReachPanel:
     """Open the panel for the part of a Toolpath; its first values are the path's."""
     from freecad_fiveaxis.app import reach
 
-    return _open(ReachPanel(path), reach.taken_over(path))
+    return _open(ReachPanel(path), reach.take_over(path))
 
 
 def edit(obj: Any) -> ReachPanel:

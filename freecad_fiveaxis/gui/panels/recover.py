@@ -56,7 +56,7 @@ class RecoverPanel(WorkPanel):
 
     def tell(self, done: Any) -> str:
         """Sentence, numbers with their certainty, findings."""
-        return result_html.recovered(done.found)
+        return result_html.describe_recovered(done.found)
 
     def files(self, done: Any) -> list[str]:
         """Return the machine file."""

@@ -18,7 +18,7 @@ COLOURS = ("#4a5a6a", "#b06000", "#d0342c")
 """Of notes, warnings and errors."""
 
 
-def recovered(found: Any) -> str:
+def describe_recovered(found: Any) -> str:
     """Return the sentence, the numbers with their certainty, and the findings; ``found`` is the core's
     Recovery."""
     from freecad_fiveaxis.core.calibration.recover import parameters, verdict
@@ -110,7 +110,7 @@ def _stop(row: Any) -> str:
     return f"<p>{'<br/>'.join(texts)}</p>"
 
 
-def imported(found: Any) -> str:
+def describe_imported(found: Any) -> str:
     """Return the axes and what the source leaves open; ``found`` is the core's Imported."""
     machine = found.machine
     head = [translate("FiveAxis", "axis"), translate("FiveAxis", "carries"), translate("FiveAxis", "along"),

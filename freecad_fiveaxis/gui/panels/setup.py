@@ -22,9 +22,9 @@ from freecad_fiveaxis.gui.waiting import waiting
 from .fixtures import FixturesField
 from .form import Form
 from .path_panel import DRAWN, PathPanel, fit, reveal, show
-from .post import proposed_file
+from .post import propose_file
 from .summary import Summary, clock
-from .toolpath import milled, preferred
+from .toolpath import find_milled_solid, read_preferred
 
 
 class SetupSummary(Summary):
@@ -71,7 +71,7 @@ def deviation_words(obj: Any) -> str:
     return translate("FiveAxis", "Largest deviation")
 
 
-def applied_words(path: Any) -> str:
+def describe_applied(path: Any) -> str:
     """Return what a path has come to in its new place: of divided blocks what the verdict goes by, else what
     the map tells of."""
     from freecad_fiveaxis.app import results, setups
@@ -80,7 +80,7 @@ def applied_words(path: Any) -> str:
         text = translate(
             "FiveAxis", "Applied: the largest deviation of the divided blocks is now {deviation}."
         )
-        return text.format(deviation=length_text(results.judged_of(path)[0]))
+        return text.format(deviation=length_text(results.read_judged(path)[0]))
     text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
     return text.format(deviation=length_text(path.MaxSegmentDeviation.Value))
 
@@ -106,7 +106,7 @@ class SetupPanel(PathPanel):
             "App::Property",
             "Solids and meshes of the document that hold the part, as in the tool path, which takes a change",
         )
-        held = FixturesField(doc, milled(path.Mesh if path else base), hint)
+        held = FixturesField(doc, find_milled_solid(path.Mesh if path else base), hint)
         form = Form("setup", doc, [section], [held], group="SetupSettings", given={"machine": machine})
         super().__init__(doc, translate("FiveAxis", "Where to clamp"), form, obj)
         form.fields["table_height"].editor.setPlaceholderText(table_of(machine))
@@ -145,7 +145,7 @@ class SetupPanel(PathPanel):
         if self.path is None:
             held = values["fixtures"]
             self.path = app.create_toolpath(
-                self.doc, self.base, faces=self.faces, fixtures=held, **preferred()
+                self.doc, self.base, faces=self.faces, fixtures=held, **read_preferred()
             )
         return app.setup_map(self.path, **values)
 
@@ -154,8 +154,8 @@ class SetupPanel(PathPanel):
         if self.base is not None:
             self.path = None
 
-    def _edited(self) -> None:
-        super()._edited()
+    def _on_edit(self) -> None:
+        super()._on_edit()
         turned = not self.stale and self.obj.RecommendedTurn.Value != 0.0
         self.apply_button.setEnabled(not self.stale and not turned)
         self.apply_button.setToolTip(
@@ -181,7 +181,9 @@ class SetupPanel(PathPanel):
             self._tell(error)
             return False
         self.options.show_error("")
-        self.summary.tell(f"<p><b>{html.escape(applied_words(self.path))}</b></p>{self.summary.text.text()}")
+        self.summary.tell(
+            f"<p><b>{html.escape(describe_applied(self.path))}</b></p>{self.summary.text.text()}"
+        )
         reveal(self.form)
         return True
 
@@ -212,7 +214,7 @@ def table_of(machine: str) -> str:
 def ask_file(parent: Any, document: str, name: str) -> str:
     """Return the file that the user names for a report, proposed beside the file of the document; empty where
     he names none."""
-    proposed = proposed_file(name, document, ".html")
+    proposed = propose_file(name, document, ".html")
     kinds = translate("FiveAxis", "Web page (*.html);;For programs (*.json);;Text (*.txt)")
     dialog = QtWidgets.QFileDialog
     return dialog.getSaveFileName(

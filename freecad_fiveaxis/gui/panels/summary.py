@@ -8,7 +8,7 @@ import html
 from typing import Any
 
 from freecad_fiveaxis.app import wording
-from freecad_fiveaxis.app.results import judged_of
+from freecad_fiveaxis.app.results import read_judged
 from freecad_fiveaxis.app.units import length_text
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import VerdictLabel
@@ -19,7 +19,7 @@ from .panel_widget import TextArea
 def summary_lines(obj: Any) -> list[tuple[str, str]]:
     """Label and value of each line, from the result properties of a Toolpath or an Audit."""
     lines = [(translate("FiveAxis", "Passes"), str(obj.Passes))] if obj.Passes else []
-    largest, bound = judged_of(obj)
+    largest, bound = read_judged(obj)
     measured = [
         (translate("FiveAxis", "Largest deviation"), length(largest)),
         (translate("FiveAxis", "Proven bound"), length(bound)),
@@ -61,7 +61,7 @@ CURES = (
 """Codes of what linearize, deform and the cures of gouges say of their work."""
 
 
-def cured(obj: Any) -> list[str]:
+def list_cures(obj: Any) -> list[str]:
     """Return what was done against deviation and gouges, in sentences; after opening a document only once it
     is computed again."""
     last = getattr(obj.Proxy, "last", None)
@@ -127,7 +127,7 @@ class Summary(QtWidgets.QGroupBox):
             f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>"
             for label, value in summary_lines(obj)
         )
-        sentences = dict.fromkeys((*cured(obj), gravest(obj)))
+        sentences = dict.fromkeys((*list_cures(obj), gravest(obj)))
         found = "".join(f"<p>{html.escape(text)}</p>" for text in sentences if text)
         self.verdict.show_verdict(obj)
         self.tell(f"<table>{cells}</table>{found}")

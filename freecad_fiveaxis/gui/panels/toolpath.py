@@ -20,7 +20,7 @@ from .fields import QuantityField
 from .fixtures import FixturesField
 from .form import SPACING, Form, Section
 from .guides import AxisField, PlaceField
-from .job_setup import FAR, SHARED, SetupField, ask, shown
+from .job_setup import FAR, SHARED, SetupField, ask, read_values
 from .panel_widget import PanelWidget
 from .path_panel import DRAWN, PathPanel, fit, is_seen, show
 from .picking import PointField
@@ -43,7 +43,7 @@ class ToolpathPanel(PathPanel):
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
         part = base if obj is None else obj.Mesh
-        solid = milled(part)
+        solid = find_milled_solid(part)
         hint = translate(
             "App::Property", "Solids and meshes of the document that hold the part: the path goes around them"
         )
@@ -84,7 +84,7 @@ class ToolpathPanel(PathPanel):
             self.options.fields[name].show_note(note)
         self.options.fields["cutter"].setup.offer(job_setup.cutters_of(chosen) if chosen is not None else [])
         if chosen is not None:
-            self.options.show_options(shown(chosen))
+            self.options.show_options(read_values(chosen))
 
     def _undone(self) -> None:
         """Keep the values of a setup that was made in the step that is taken back, to be edited here."""
@@ -137,12 +137,12 @@ class ToolpathPanel(PathPanel):
         self.preview.clear()
         super()._close()
 
-    def _edited(self) -> None:
+    def _on_edit(self) -> None:
         self.preview.clear()
         for name in PLACES:
             self.options.fields[name].follow_zero()
         self._follow_tool_axis()
-        super()._edited()
+        super()._on_edit()
         for offer in (self.scale_offer, self.advice_offer):
             offer.show_for(None if self.stale else self.obj)
 
@@ -266,7 +266,7 @@ def create(
     panel = ToolpathPanel(base.Document, base, faces)
     meshing = {"linear_deflection": LINEAR, "angular_deflection": ANGULAR}
     setup = {"setup": job_setup.only_setup(base.Document)}
-    values = changes.default_options("mill") | preferred() | meshing | setup | dict(settings or {})
+    values = changes.default_options("mill") | read_preferred() | meshing | setup | dict(settings or {})
     machine = setup["setup"].Machine if setup["setup"] is not None else values["machine"]
     usual = _usual_tool_axis({"machine": machine, "cutter": values["cutter"], "passes": values["passes"]})
     panel.fill(values | {"tool_axis": dict(settings or {}).get("tool_axis") or usual or values["tool_axis"]})
@@ -285,7 +285,7 @@ def _usual_tool_axis(choices: Mapping[str, Any]) -> str | None:
         return None
 
 
-def preferred() -> dict[str, Any]:
+def read_preferred() -> dict[str, Any]:
     """Return what the user's preferences say of a new path."""
     from freecad_fiveaxis.app import preferences
 
@@ -302,7 +302,7 @@ def edit(obj: Any) -> ToolpathPanel:
     from freecad_fiveaxis.app import changes, guides, tessellation
 
     panel = ToolpathPanel(obj.Document, obj=obj)
-    values = changes.shown_options(obj, "mill") | {
+    values = changes.read_options(obj, "mill") | {
         "work_zero": tuple(obj.WorkZero),
         "setup": obj.Setup,
         "fixtures": obj.Fixtures,
@@ -314,12 +314,12 @@ def edit(obj: Any) -> ToolpathPanel:
             "linear_deflection": mesh.LinearDeflection.Value,
             "angular_deflection": mesh.AngularDeflection.Value,
         }
-        values["avoid"] = tessellation.avoided(mesh)
+        values["avoid"] = tessellation.name_avoided(mesh)
     panel.fill(values)
     return show(panel)
 
 
-def milled(part: Any) -> Any:
+def find_milled_solid(part: Any) -> Any:
     """Give the solid that a tessellation is of; of any other object itself, None where it was deleted."""
     base = getattr(part, "Base", None) if part is not None and is_mesh(part) else None
     return base[0] if base else part

@@ -49,7 +49,7 @@ class TripleField(Field):
         self.width = width
         self._lay_out()
         for part in self.parts:
-            part.edited.connect(self._changed)
+            part.edited.connect(self._on_change)
 
     def _lay_out(self) -> None:
         self.row = QtWidgets.QGridLayout(self.editor)
@@ -59,7 +59,7 @@ class TripleField(Field):
         self.editor.widened.connect(self.place)
         if self.none:
             self.row.addWidget(self.none, 0, 0, 1, 3, QtCore.Qt.AlignLeft)
-            self.none.toggled.connect(self._toggled)
+            self.none.toggled.connect(self._on_toggle)
 
     def place(self) -> None:
         """Put the boxes where what they say has room; nothing is done where they stand so already."""
@@ -95,10 +95,10 @@ class TripleField(Field):
             texts[:2] = [text.partition(" ")[0] for text in texts[:2]]
         return f"{self.label} {', '.join(texts)}"
 
-    def _toggled(self, ticked: bool) -> None:
+    def _on_toggle(self, ticked: bool) -> None:
         for part in self.parts:
             part.editor.setVisible(not ticked)
-        self._changed()
+        self._on_change()
 
     def value(self) -> list[float] | None:
         """Three numbers, mm where they are lengths."""

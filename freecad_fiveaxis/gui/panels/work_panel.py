@@ -49,8 +49,8 @@ class WorkPanel:
         self.result.setOpenLinks(False)
         self.form = self._widget(title)
         self.calculate_button.clicked.connect(lambda *_: self.calculate())
-        form.edited.connect(self._edited)
-        self._edited()
+        form.edited.connect(self._on_edit)
+        self._on_edit()
 
     def _widget(self, title: str) -> Any:
         head = (self.calculate_button, self.result, *self.buttons, self.options.error)
@@ -87,11 +87,11 @@ class WorkPanel:
                 self.done = self.compute()
         except BaseException as error:  # FreeCADAbort (Esc) is no Exception
             self.done = self.calculated = None
-            self._edited()
+            self._on_edit()
             self.show_error(error)
             return False
         self.calculated = self.options.read_values()
-        self._edited()
+        self._on_edit()
         reveal(self.form)
         return True
 
@@ -108,7 +108,7 @@ class WorkPanel:
         self.options.show_error(wording.localize(error))
         reveal(self.form)
 
-    def _edited(self) -> None:
+    def _on_edit(self) -> None:
         self.options.check()
         shown = not self.stale
         page = (

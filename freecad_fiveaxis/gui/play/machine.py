@@ -79,7 +79,7 @@ class DrawnMachine:
         carried = placements(playback.kinematics, words[chosen])["machine_from_carried"]
         shapes = [(body.carrier, corners(body.shape)) for body in self.bodies]
         shapes += [(one.carrier, _corners(*one.mesh.box)) for one in self.standing]
-        reached = [_reached(carrier, points, carried) for carrier, points in shapes]
+        reached = [_find_extent(carrier, points, carried) for carrier, points in shapes]
         return np.min([low for low, _ in reached], axis=0), np.max([high for _, high in reached], axis=0)
 
 
@@ -106,7 +106,9 @@ def _corners(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     return 0.5 * (low + high) + 0.5 * _SIGNS * (high - low)
 
 
-def _reached(carrier: int | None, points: np.ndarray, carried: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _find_extent(
+    carrier: int | None, points: np.ndarray, carried: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     if carrier is not None:
         placement = carried[:, carrier]
         points = (points @ np.swapaxes(placement[:, :3, :3], 1, 2) + placement[:, None, :3, 3]).reshape(-1, 3)
@@ -127,7 +129,7 @@ def _solid() -> Any:
     return hints
 
 
-def _placed(rows: np.ndarray, centre: np.ndarray) -> Any:
+def _place_shape(rows: np.ndarray, centre: np.ndarray) -> Any:
     """Where a shape stands whose own axes are the unit ``rows`` (3, 3)."""
     transform = coin.SoMatrixTransform()
     placement = np.eye(4)
@@ -151,7 +153,9 @@ def _box(box: Box) -> tuple[Any, Any]:
     cube = coin.SoCube()
     cube.width, cube.height, cube.depth = (2.0 * float(half) for half in box.half)
     corner = box.centre + (_SIGNS * box.half) @ box.along
-    return nodes.separate(_placed(box.along, box.centre), cube), nodes.lines(corner[_EDGES].reshape(-1, 3))
+    return nodes.separate(_place_shape(box.along, box.centre), cube), nodes.lines(
+        corner[_EDGES].reshape(-1, 3)
+    )
 
 
 def _cylinder(shape: Cylinder) -> tuple[Any, Any]:
@@ -166,4 +170,4 @@ def _cylinder(shape: Cylinder) -> tuple[Any, Any]:
     around = np.linspace(0.0, 2.0 * np.pi, TURNS + 1)
     circle = shape.radius * (np.cos(around)[:, None] * rows[0] + np.sin(around)[:, None] * rows[2])
     rims = nodes.lines(np.concatenate([shape.start + circle, shape.end + circle]), TURNS + 1)
-    return nodes.separate(_placed(rows, 0.5 * (shape.start + shape.end)), drawn), rims
+    return nodes.separate(_place_shape(rows, 0.5 * (shape.start + shape.end)), drawn), rims

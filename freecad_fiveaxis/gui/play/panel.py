@@ -16,7 +16,7 @@ import numpy as np
 from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.pipeline.in_machine import stand_up
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.report.playback import NCLines
@@ -61,7 +61,7 @@ class PlayPanel:
         self.timer.timeout.connect(self._tick)
         self._stale, self._open, self._docked = False, True, False
         self._connect()
-        self.watch = Watch(obj, self._changed, self._gone)
+        self.watch = Watch(obj, self._on_change, self._gone)
         _panels.append(self)
         self.refresh()
 
@@ -134,7 +134,7 @@ class PlayPanel:
         tool = tool_of(self.obj, settings.machine.control_point == "centre")
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
         zero, words = np.array(self.obj.WorkZero), figures.program.letters
-        letters = "".join(words[at] for at in fitted_columns(words)[3:])
+        letters = "".join(words[at] for at in find_physical_columns(words)[3:])
         draft = results.result_of(self.obj).draft
         origin = draft.settings.machine.origin or draft.machine.origin
         table = None if draft.machine.table is None else draft.machine.table - origin[2]
@@ -155,7 +155,7 @@ class PlayPanel:
 
     # ----------------------------------------------------------------------------------- changes from outside
 
-    def _changed(self) -> None:
+    def _on_change(self) -> None:
         if not self._stale:
             self._stale = True
             later(self._reload)
@@ -191,7 +191,7 @@ class PlayPanel:
             self._docked = False
             FreeCADGui.Control.closeDialog()
 
-    def _destroyed(self) -> None:
+    def _on_destroy(self) -> None:
         """FreeCAD has closed the panel, for whatever reason."""
         self._docked = False
         self.close()
@@ -244,7 +244,7 @@ class PlayPanel:
         column.addWidget(self.controls.widget)
         column.addWidget(self.readout.widget)
         column.addStretch()
-        form.destroyed.connect(lambda *_: self._destroyed())
+        form.destroyed.connect(lambda *_: self._on_destroy())
         return form
 
     def _connect(self) -> None:
@@ -260,7 +260,7 @@ class PlayPanel:
                 "singular": lambda: self.step(self.player.go_to_next_singular),
                 "collision": lambda: self.step(self.player.go_to_next_collision),
                 "machine": self._to_machine,
-                "follow": self._followed,
+                "follow": self._on_follow,
             }
         )
         controls.slider.valueChanged.connect(self.slide)
@@ -271,7 +271,7 @@ class PlayPanel:
         self.controls.collision.setVisible(len(self.player.stops) > 0)
         self.controls.worst.setEnabled(self.player.playback.worst is not None)
 
-    def _followed(self) -> None:
+    def _on_follow(self) -> None:
         if not self.controls.follow.isChecked():
             self.camera.restore()
         self.refresh()

@@ -37,7 +37,7 @@ class Player:
         self.playback = Playback(figures.kinematics, figures.program, figures.judged)
         self.singular = figures.feeds[figures.singularity.singular[figures.feeds]]
         self.stops = sorted(
-            (one for one in figures.findings if _met(one) is not None and one.block is not None),
+            (one for one in figures.findings if _find_hit(one) is not None and one.block is not None),
             key=lambda one: (one.block, _deepest(one)),
         )
         self.colliding = np.unique([one.block for one in self.stops]).astype(int)
@@ -162,7 +162,7 @@ def _between(hits: Sequence[tuple[str, Hit]]) -> Struck:
     )
 
 
-def _met(finding: Finding) -> Hit | None:
+def _find_hit(finding: Finding) -> Hit | None:
     """Return the collision or near miss of a finding."""
     return finding.hit or finding.near
 
@@ -170,5 +170,5 @@ def _met(finding: Finding) -> Hit | None:
 def _deepest(finding: Finding) -> float:
     """When in its block a collision is deepest or a near miss nearest, 0 to 1; the block's end where that is
     not known."""
-    met = _met(finding)
+    met = _find_hit(finding)
     return 1.0 if met is None or met.u is None else met.u

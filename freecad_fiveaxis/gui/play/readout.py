@@ -10,7 +10,7 @@ from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.base.findings import Finding, Hit
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.report.playback import NCLines, Pose
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -43,7 +43,9 @@ class Readout:
         self.block = self._row("block", translate("FiveAxis", "Block"))
         self.clock = self._row("clock", translate("FiveAxis", "Time"))
         letters = figures.program.letters
-        self.joints = {at: self._row(f"joint_{letters[at]}", letters[at]) for at in fitted_columns(letters)}
+        self.joints = {
+            at: self._row(f"joint_{letters[at]}", letters[at]) for at in find_physical_columns(letters)
+        }
         self.gap = self._row("gap", translate("FiveAxis", "Tip off its segment"))
         self.most = self._row("most", translate("FiveAxis", "Most in block"))
         self.bound = self._row("bound", translate("FiveAxis", "Proven below"))
@@ -83,7 +85,7 @@ class Readout:
         its block, or nearly does."""
         block, program = int(pose.block), self.figures.program
         line = int(program.line[block])
-        self.hit.setText("; ".join(met_text(one) for one in met))
+        self.hit.setText("; ".join(describe_hit(one) for one in met))
         self.hit.setToolTip("\n".join(wording.localize(one.text) for one in met))
         self.line.setText(str(line))
         self.text.setText(self.lines[line])
@@ -98,11 +100,11 @@ class Readout:
             label.setText(joint_text(float(pose.words[at]), at >= 3))
         self.gap.setText(_distance(float(pose.to_chord)))
         self._show_deviation(block)
-        if self._guided(block):
+        if self._is_guided(block):
             for label in (self.gap, self.most, self.bound):
                 label.setText("–")
 
-    def _guided(self, block: int) -> bool:
+    def _is_guided(self, block: int) -> bool:
         """Whether the controller guides the tip in a block, of which nothing is known then but where it
         ends."""
         guided = self.figures.program.guided
@@ -124,7 +126,7 @@ class Readout:
         notes = []
         if block == 0:
             notes.append(translate("FiveAxis", "First position: where the machine comes from is not known."))
-        if self._guided(block):
+        if self._is_guided(block):
             notes.append(
                 translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes.")
             )
@@ -149,7 +151,7 @@ class Readout:
         return label
 
 
-def met_text(finding: Finding) -> str:
+def describe_hit(finding: Finding) -> str:
     """Return what is in what, or how near to what, in a few words."""
     near = finding.near
     if near is None:

@@ -58,7 +58,7 @@ def tool_node(tool: DrawnTool) -> Any:
         *(
             nodes.separate(
                 _material(COLOURS[part], TRANSPARENCY[part]),
-                _turned(Outline._make(column[rows] for column in profile)),
+                _turn_outline(Outline._make(column[rows] for column in profile)),
             )
             for part, rows in parts
             if len(rows)
@@ -66,7 +66,7 @@ def tool_node(tool: DrawnTool) -> Any:
     )
 
 
-def _turned(line: Outline) -> Any:
+def _turn_outline(line: Outline) -> Any:
     """Return the surface of an outline turned about z: two rings of points for each stretch, so that edges
     stay sharp."""
     around = np.linspace(0.0, 2.0 * np.pi, TURNS + 1)

@@ -42,13 +42,13 @@ hues."""
 def ramp(good: Colour, bad: Colour) -> Floats:
     """Return the colours (SHADES, 3) of even levels from 0 to 1."""
     half = np.linspace(0.0, 1.0, SHADES // 2)[:, None]
-    deep, pale = _mixed(good, DEEP, 0.75), _mixed(bad, PALE, 0.75)
-    return np.concatenate([_mixed(good, deep, half), _mixed(pale, bad, half)])
+    deep, pale = _mix_colours(good, DEEP, 0.75), _mix_colours(bad, PALE, 0.75)
+    return np.concatenate([_mix_colours(good, deep, half), _mix_colours(pale, bad, half)])
 
 
-def packed(levels: Floats, good: Colour, bad: Colour) -> np.ndarray:
+def pack_levels(levels: Floats, good: Colour, bad: Colour) -> np.ndarray:
     """0xRRGGBBAA (k,) for levels (k,): at most 0.5 is calm."""
-    table = packed_rows(ramp(good, bad))
+    table = pack_rows(ramp(good, bad))
     half = SHADES // 2
     calm = np.minimum(levels * 2.0 * half, half - 1)
     loud = half + np.minimum((levels - 0.5) * 2.0 * half, half - 1)
@@ -59,12 +59,12 @@ def heat(bad: Colour) -> Floats:
     """Return the colours (SHADES, 3) of a map: from the pale colour over the bad one to a dark one, ever
     darker."""
     half = np.linspace(0.0, 1.0, SHADES // 2)[:, None]
-    return np.concatenate([_mixed(PALE, bad, half), _mixed(bad, DARK, half)])
+    return np.concatenate([_mix_colours(PALE, bad, half), _mix_colours(bad, DARK, half)])
 
 
-def heated(levels: Floats, bad: Colour) -> np.ndarray:
+def pack_heat(levels: Floats, bad: Colour) -> np.ndarray:
     """0xRRGGBBAA (k,) for levels (k,) on the ramp :func:`heat`."""
-    table = packed_rows(heat(bad))
+    table = pack_rows(heat(bad))
     return table[np.minimum(levels * SHADES, SHADES - 1).astype(np.int64)].astype(np.uint32)
 
 
@@ -74,13 +74,13 @@ def pack(colour: Colour) -> int:
     return red << 24 | green << 16 | blue << 8 | 255
 
 
-def packed_rows(rgb: Floats) -> np.ndarray:
+def pack_rows(rgb: Floats) -> np.ndarray:
     """0xRRGGBBAA (k,) of colours (k, 3), 0 to 1."""
     part = np.round(rgb * 255.0).astype(np.uint32)
     return (part[:, 0] << 24 | part[:, 1] << 16 | part[:, 2] << 8 | np.uint32(255)).astype(np.uint32)
 
 
-def _mixed(first: Colour | Floats, second: Colour | Floats, share: float | Floats) -> Floats:
+def _mix_colours(first: Colour | Floats, second: Colour | Floats, share: float | Floats) -> Floats:
     """Between the two colours in Oklab: ``share`` 0 is the first."""
     lab = _to_lab(np.asarray(first, float)) * (1.0 - share) + _to_lab(np.asarray(second, float)) * share
     linear = np.clip((lab @ np.linalg.inv(_LAB).T) ** 3 @ np.linalg.inv(_LMS).T, 0.0, 1.0)

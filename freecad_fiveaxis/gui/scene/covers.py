@@ -18,7 +18,7 @@ NAMES = ("OverlayLeft", "OverlayRight", "OverlayTop", "OverlayBottom")
 before these do."""
 
 
-def covered_boxes(size: tuple[int, int]) -> np.ndarray:
+def find_covered_boxes(size: tuple[int, int]) -> np.ndarray:
     """Find the boxes (n, 4) pixels that panels cover of the active view, if it has ``size`` (width and
     height) pixels."""
     shown = [panel for panel in _overlays() if panel.isVisible()]

@@ -39,7 +39,7 @@ class CutNodes:
 
     def show(self, drawing: Drawing, good: nodes.Colour, bad: nodes.Colour, width: float) -> None:
         """Draw what cuts in the colours of its deviation, ``width`` pixels wide."""
-        rgba, ends = colours.packed(drawing.level, good, bad), drawing.stroke.reshape(-1, 2, 3)
+        rgba, ends = colours.pack_levels(drawing.level, good, bad), drawing.stroke.reshape(-1, 2, 3)
         for at, band in enumerate(self.bands):
             rows = drawing.cut & (drawing.coat == at)
             band.removeAllChildren()

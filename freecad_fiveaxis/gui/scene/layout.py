@@ -103,7 +103,7 @@ def leader_ends(anchor: np.ndarray, box: np.ndarray) -> np.ndarray:
     return np.clip(anchor, box[:, :2], box[:, 2:])
 
 
-def projected(places: np.ndarray, clip_from_place: np.ndarray, view: tuple[int, int]) -> np.ndarray:
+def project_places(places: np.ndarray, clip_from_place: np.ndarray, view: tuple[int, int]) -> np.ndarray:
     """Return the pixels (n, 2) of places (n, 3); NaN behind the eye. Rows are multiplied by
     ``clip_from_place`` (4, 4), as Coin does."""
     clip = np.concatenate([places, np.ones((len(places), 1))], axis=1) @ clip_from_place

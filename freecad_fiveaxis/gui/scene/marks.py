@@ -62,13 +62,13 @@ def least_size(whole: float) -> float:
     return min(whole, max(LEAST, LEAST_SHARE * whole))
 
 
-def suited_size(part: float, least: float, whole: float) -> float:
+def choose_size(part: float, least: float, whole: float) -> float:
     """Return the pixels of a marker of a part that is ``part`` pixels from corner to corner: from ``least``
     to ``whole``."""
     return least + (whole - least) * min(max(part / WHOLE, 0.0), 1.0)
 
 
-def suited_count(part: float, count: int, size: float) -> int:
+def choose_count(part: float, count: int, size: float) -> int:
     """How many of ``count`` markers of ``size`` pixels are drawn on a part that is ``part`` pixels from
     corner to corner."""
     return int(min(count, max(FEW, COVERED * 0.5 * (part / size) ** 2)))
@@ -149,9 +149,9 @@ class Marks:
         if np.isnan(pixels):  # a part of no size behind the eye
             return
         for style, least, whole in self.sizes:
-            style.pointSize = suited_size(pixels, least, whole)
+            style.pointSize = choose_size(pixels, least, whole)
         for shape, count, size in self.many:
-            shape.numPoints = suited_count(pixels, count, suited_size(pixels, least_size(size), size))
+            shape.numPoints = choose_count(pixels, count, choose_size(pixels, least_size(size), size))
 
     def _add(self, places: np.ndarray, rows: np.ndarray, look: _Look) -> None:
         if not len(rows):
@@ -165,14 +165,19 @@ class Marks:
         rim = (
             nodes.unpickable(),
             nodes.colour(look.rim),
-            self._sized(least + 0.5 * RIM, look.size + RIM),
+            self._style_sizes(least + 0.5 * RIM, look.size + RIM),
             outer,
         )
-        fill = (nodes.on_top_for_picking(), nodes.colour(look.fill), self._sized(least, look.size), inner)
+        fill = (
+            nodes.on_top_for_picking(),
+            nodes.colour(look.fill),
+            self._style_sizes(least, look.size),
+            inner,
+        )
         self._draw(nodes.nearer(look.depth, covers=False), *rim)
         self._draw(nodes.nearer(look.depth), *fill)
         if look.spot is not None:
-            spot, middle = self._sized(SPOT * least, SPOT * look.size), nodes.points(places[rows])
+            spot, middle = self._style_sizes(SPOT * least, SPOT * look.size), nodes.points(places[rows])
             self._draw(
                 nodes.nearer(look.depth + 0.0005), nodes.unpickable(), nodes.colour(look.spot), spot, middle
             )
@@ -180,7 +185,7 @@ class Marks:
             shape.enableNotify(False)
             self.many.append((shape, len(rows), look.size))
 
-    def _sized(self, least: float, whole: float) -> Any:
+    def _style_sizes(self, least: float, whole: float) -> Any:
         """Return a style for points whose size in pixels is between these."""
         style = nodes.style(point=whole)
         style.enableNotify(False)  # what a frame changes must not ask for the next frame
@@ -192,7 +197,7 @@ class Marks:
         separator.renderCaching = coin.SoSeparator.OFF
         self.drawn.addChild(separator)
 
-    def picked(self, point: Any) -> int | None:
+    def find_picked(self, point: Any) -> int | None:
         """Return the row of the marker that a picked point (SoPickedPoint) lies on."""
         tail = point.getPath().getTail()
         named = _NAME.match(tail.getName().getString())

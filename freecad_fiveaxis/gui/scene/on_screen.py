@@ -25,7 +25,7 @@ from pivy import coin
 from freecad_fiveaxis.gui import qt
 
 from . import layout, nodes
-from .covers import covered_boxes
+from .covers import find_covered_boxes
 from .overlay import INK, PAPER, Legend, image, label_picture, legend_picture
 
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -80,7 +80,7 @@ class _View:
         """Whether no other legend of this frame has a higher rank; all have asked when ``ended``."""
         return legend in self.legends and self.legends[legend] == max(self.legends.values())
 
-    def taken(self, item: int) -> np.ndarray:
+    def find_taken(self, item: int) -> np.ndarray:
         """Return what others have taken in this frame."""
         return np.concatenate([layout.NONE, *(boxes for other, boxes in self.boxes.items() if other != item)])
 
@@ -104,7 +104,7 @@ class _Overlay:
     """Nodes that are placed in pixels when a frame begins; ``root`` goes into the scene."""
 
     def __init__(self) -> None:
-        self.camera, self.shown = coin.SoOrthographicCamera(), _moved()
+        self.camera, self.shown = coin.SoOrthographicCamera(), _build_moving_group()
         self.camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
         self.camera.nearDistance, self.camera.farDistance = 0.0, 2.0
         over, placing, aiming = coin.SoAnnotation(), coin.SoCallback(), coin.SoCallback()
@@ -143,7 +143,7 @@ class _Overlay:
         """All others have asked for their places in this frame."""
 
 
-def _moved(*children: Any) -> Any:
+def _build_moving_group(*children: Any) -> Any:
     """Return a group whose nodes move within a frame, unheard: nothing of it is kept for the next one."""
     separator = nodes.separate(*children)
     separator.renderCaching = separator.renderCulling = coin.SoSeparator.OFF
@@ -181,7 +181,7 @@ class LegendBox(_Overlay):
     def __init__(self) -> None:
         super().__init__()
         self.size, self.corner = (0, 0), coin.SoTranslation()
-        self.switch = nodes.switch(_moved())
+        self.switch = nodes.switch(_build_moving_group())
         self.corner.enableNotify(False)
         self.chosen, self.number, self.claimed, self.box = False, next(_numbers), layout.NONE, layout.NONE
 
@@ -192,7 +192,7 @@ class LegendBox(_Overlay):
         if legend is not None:
             picture = legend_picture(legend)
             self.size = picture.width(), picture.height()
-            self.switch = nodes.switch(_moved(self.corner, image(picture)))
+            self.switch = nodes.switch(_build_moving_group(self.corner, image(picture)))
             self.switch.enableNotify(False)
             self.shown.addChild(self.switch)
 
@@ -241,11 +241,11 @@ class Labels(_Overlay):
         self.lines.vertexProperty = self.ends
         for node in (self.ends, self.lines):
             node.enableNotify(False)
-        self.leaders = _moved(
-            _moved(nodes.colour(LEADER), nodes.style(3.0, pattern=HIDDEN), self.lines),
-            _moved(nodes.colour(BRIGHT), nodes.style(1.0, pattern=HIDDEN), self.lines),
-            _moved(_depth(tested=True), nodes.colour(LEADER), nodes.style(3.0), self.lines),
-            _moved(_depth(tested=True), nodes.colour(BRIGHT), nodes.style(1.0), self.lines),
+        self.leaders = _build_moving_group(
+            _build_moving_group(nodes.colour(LEADER), nodes.style(3.0, pattern=HIDDEN), self.lines),
+            _build_moving_group(nodes.colour(BRIGHT), nodes.style(1.0, pattern=HIDDEN), self.lines),
+            _build_moving_group(_depth(tested=True), nodes.colour(LEADER), nodes.style(3.0), self.lines),
+            _build_moving_group(_depth(tested=True), nodes.colour(BRIGHT), nodes.style(1.0), self.lines),
         )
 
     def show(self, labels: Sequence[Label]) -> None:
@@ -257,7 +257,7 @@ class Labels(_Overlay):
         self.slots, self.boxes = np.full(len(labels), -1), np.full((len(labels), 4), np.nan)
         self.corners = [coin.SoTranslation() for _ in labels]
         self.switches = [
-            nodes.switch(_moved(corner, image(picture)))
+            nodes.switch(_build_moving_group(corner, image(picture)))
             for corner, picture in zip(self.corners, pictures, strict=True)
         ]
         self.shown.removeAllChildren()
@@ -282,11 +282,11 @@ class Labels(_Overlay):
     def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
         """Return the boxes of the labels that have room."""
         clip = clip_from_place(action.getState())
-        view.middles[id(self)] = layout.middle_of(layout.projected(self.part, clip, size))
+        view.middles[id(self)] = layout.middle_of(layout.project_places(self.part, clip, size))
         if not len(self.places):
             return layout.NONE
-        anchor = layout.projected(self.places, clip, size)
-        taken = np.concatenate([view.taken(id(self)), view.later(id(self)), covered_boxes(size)])
+        anchor = layout.project_places(self.places, clip, size)
+        taken = np.concatenate([view.find_taken(id(self)), view.later(id(self)), find_covered_boxes(size)])
         middle = np.concatenate([layout.NONE, *view.middles.values()])
         self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots, middle)
         seen = self.slots >= 0

@@ -45,7 +45,7 @@ class Legend:
     gist: str = ""
     ink: tuple[int, int, int] = INK
 
-    def folded(self) -> Legend:
+    def fold(self) -> Legend:
         """Return the same in one line, in the warning colour where there is a warning."""
         line = f"{self.title}: {self.warning or self.gist}" if self.warning or self.gist else self.title
         if len(line) > FOLDED_WIDTH:

@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.gouge.rest_material import surface_parts
 
 from . import nodes
-from .rest_nodes import NEARER, outside_only, shaded_faces
+from .rest_nodes import NEARER, outside_only, shade_faces
 
 COLOURS: dict[Obstacle, nodes.Colour] = {
     Obstacle.NONE: (0.60, 0.82, 0.62), Obstacle.CUTTER: (0.95, 0.75, 0.10),
@@ -33,7 +33,7 @@ def reach_surface(corner: Floats, obstacle: Any) -> Any:
     """Triangles ``corner`` (k, 3, 3) mm, each in the colour of its ``obstacle`` (k,); work frame."""
     rgb = np.array([COLOURS[one] for one in sorted(COLOURS)])[obstacle]
     return nodes.separate(
-        nodes.unpickable(), nodes.flat(), outside_only(), nodes.nearer(NEARER), shaded_faces(corner, rgb)
+        nodes.unpickable(), nodes.flat(), outside_only(), nodes.nearer(NEARER), shade_faces(corner, rgb)
     )
 
 

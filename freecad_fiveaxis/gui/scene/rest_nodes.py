@@ -51,10 +51,10 @@ def rest_surface(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> Any:
         rows = np.flatnonzero(~np.isnan(whole))
         corner, height = mesh.vertex[mesh.face[rows]], whole[rows]
     look = (nodes.unpickable(), nodes.flat(), outside_only(), nodes.nearer(NEARER))
-    return nodes.separate(*look, shaded_faces(corner, height_colours(height, scale)))
+    return nodes.separate(*look, shade_faces(corner, height_colours(height, scale)))
 
 
-def shaded_faces(corner: Floats, rgb: Floats) -> Any:
+def shade_faces(corner: Floats, rgb: Floats) -> Any:
     """Triangles ``corner`` (k, 3, 3), each in one colour ``rgb`` (k, 3), somewhat darker where it looks away
     from the light.
 
@@ -63,7 +63,7 @@ def shaded_faces(corner: Floats, rgb: Floats) -> Any:
     across = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     facing = np.abs(across @ LIGHT) / np.maximum(np.linalg.norm(across, axis=1), 1e-30)
     properties = nodes.vertices(
-        corner.reshape(-1, 3), colours.packed_rows(rgb * (SHADE + (1.0 - SHADE) * facing)[:, None])
+        corner.reshape(-1, 3), colours.pack_rows(rgb * (SHADE + (1.0 - SHADE) * facing)[:, None])
     )
     properties.materialBinding = coin.SoVertexProperty.PER_FACE
     faces = coin.SoFaceSet()

@@ -47,7 +47,7 @@ def setup_points(
     """Points at ``places`` (k, 3) mm, coloured by ``levels`` (k,), those ``within`` the tolerance in the
     ``good`` colour; ``size`` in pixels. The recommended place has a white ring about its colour."""
     kind = np.asarray(kinds)
-    rgba = colours.heated(levels, bad)
+    rgba = colours.pack_heat(levels, bad)
     rgba[within] = colours.pack(good)
     rgba[kind == BEYOND] = colours.pack(BEYOND_COLOUR)
     rgba[kind == PRESENT] = colours.pack(PRESENT_COLOUR)

@@ -238,7 +238,7 @@ def legend_of(
 ) -> Any:
     """Return the legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its
     markers; which of MOVES are ``shown``."""
-    from freecad_fiveaxis.core.report import judged_largest, summary
+    from freecad_fiveaxis.core.report import find_largest_judged, summary
 
     from .overlay import Legend
 
@@ -264,7 +264,7 @@ def legend_of(
     ball = translate("FiveAxis", "Distance of the ball's centre from the commanded line")
     notes, largest = [tip if figures.surface is None else ball], ""
     if numbers["worst_line"] is not None:
-        largest = label_text(judged_largest(numbers)[0], numbers["worst_line"], figures.tolerance)
+        largest = label_text(find_largest_judged(numbers)[0], numbers["worst_line"], figures.tolerance)
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
     if figures.gouge is not None and not figures.gouge.findings:
         notes.append(translate("FiveAxis", "Nothing enters the part"))

@@ -37,7 +37,7 @@ def _measure(zoom: Any, action: Any) -> None:
         return
     drawing = action if hasattr(action, "getViewportRegion") else coin.cast(action, "SoGLRenderAction")
     pixels = drawing.getViewportRegion().getViewportSizePixels()
-    spots = layout.projected(
+    spots = layout.project_places(
         found.middle + _STEPS, clip_from_place(drawing.getState()), (int(pixels[0]), int(pixels[1]))
     )
     watcher.zoom_to(largest_scale(spots))

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.controllers.dialect import feed_distance
 from freecad_fiveaxis.core.machine.kinematics import q_to_words
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.nc.head import PostOptions, numbered_anew
+from freecad_fiveaxis.core.nc.head import PostOptions, renumber_lines
 from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -28,7 +28,7 @@ def proof_program(plan: Plan, dialect: Dialect) -> Program:
     """Return the blocks, one for each pose of the plan: G94, no axis faster than the wished feed (mm/min and
     deg/min). ``line``: where each stands in the text of :func:`proof_nc`."""
     poses = np.asarray(q_to_words(plan.poses))
-    words = np.stack([rounded(poses[:, k], dialect.decimals(k)) for k in range(5)], axis=1)
+    words = np.stack([round_as_printed(poses[:, k], dialect.decimals(k)) for k in range(5)], axis=1)
     change = np.diff(words, axis=0, prepend=words[:1])
     minutes = np.maximum(np.abs(change).max(axis=1) / plan.wishes.feed, 1e-6)
     feed = np.maximum(np.floor(feed_distance(dialect, change) / minutes + 1e-6), 1.0)
@@ -64,7 +64,7 @@ def proof_nc(plan: Plan, program: Program, dialect: Dialect, options: PostOption
         if stop.see:
             number += 1
             numbered += [dialect.remark(f"stop {number} - {_ascii(stop)}"), WAIT]
-    return dialect.newline.join(numbered_anew(dialect, [*numbered, *lines[at:]])).encode("ascii")
+    return dialect.newline.join(renumber_lines(dialect, [*numbered, *lines[at:]])).encode("ascii")
 
 
 def _ascii(stop: Stop) -> str:

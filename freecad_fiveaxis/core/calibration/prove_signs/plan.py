@@ -103,8 +103,8 @@ def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
     _check_limits(kinematics, np.concatenate([stop.q for stop in stops]))
     last = _last_pose(kinematics, wishes, both, distance)[None]
     right = forward(kinematics, last)[0][0]
-    predicted_errors = tuple((one.text, one.reached(last)[0][0] - right) for one in wrong)
-    findings = (*_unasked(wishes), *_findings(predicted_errors))
+    predicted_errors = tuple((one.text, one.reach(last)[0][0] - right) for one in wrong)
+    findings = (*_report_unasked(wishes), *_findings(predicted_errors))
     return Plan(machine, kinematics, wishes, stops, height, distance, predicted_errors, findings)
 
 
@@ -147,7 +147,7 @@ def _last_pose(kinematics: Chain, wishes: Wishes, angles: Floats, distance: floa
 
 def _over(kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, q: Floats) -> float:
     """How high over the mark's level the lowest tip of all machines stands, mm."""
-    tips = [forward(kinematics, q)[0], *(one.reached(q)[0] for one in wrong)]
+    tips = [forward(kinematics, q)[0], *(one.reach(q)[0] for one in wrong)]
     return float(min(tip[:, 2].min() for tip in tips)) - wishes.place[2]
 
 
@@ -308,7 +308,7 @@ def _check_limits(kinematics: Chain, q: Floats) -> None:
         )
 
 
-def _unasked(wishes: Wishes) -> list[Finding]:
+def _report_unasked(wishes: Wishes) -> list[Finding]:
     """Return what must be true where nobody has said how high part and clamps reach."""
     if wishes.mark is not None:
         return []

@@ -14,7 +14,7 @@ import math
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Angle, Length, Sentence, joined, say
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Sentence, join_sentences, say
 from freecad_fiveaxis.core.machine import Axis
 
 VIEWS = (
@@ -92,7 +92,11 @@ def _way(moved: Floats) -> Sentence:
     size = np.abs(moved)
     parts = [k for k in np.argsort(-size, kind="stable").tolist() if size[k] > 0.1 * size.max()]
     ways = [WAYS[k][int(moved[k] > 0.0)] for k in parts]
-    return say("{one} and {other}", one=joined(ways[:-1], ", "), other=ways[-1]) if len(ways) > 1 else ways[0]
+    return (
+        say("{one} and {other}", one=join_sentences(ways[:-1], ", "), other=ways[-1])
+        if len(ways) > 1
+        else ways[0]
+    )
 
 
 def _view(spin: Floats) -> tuple[Sentence, Sentence, Sentence]:

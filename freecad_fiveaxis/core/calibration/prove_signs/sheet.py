@@ -102,7 +102,7 @@ def sheet_text(plan: Plan, program: Program) -> str:
     lines += [
         "",
         "At the last stop, in the part's own directions, the tip would stand off the right place by",
-        *text_table(_predicted(plan)),
+        *text_table(_tabulate_predictions(plan)),
     ]
     for one in plan.findings:
         subtitle = f"{one.severity.name} {one.code}: {one.text}"
@@ -143,7 +143,8 @@ def sheet_html(plan: Plan, program: Program) -> str:
         section("Before you start", ready + f"<p>{escape(STAND)}</p>"),
         section("Stops", table(Table(head, cells))),
         section(
-            "If the tool does not point at the cross", f'<p class="note">{note}</p>' + table(_predicted(plan))
+            "If the tool does not point at the cross",
+            f'<p class="note">{note}</p>' + table(_tabulate_predictions(plan)),
         ),
         section("Findings", findings_list(plan.findings)),
     ]
@@ -162,7 +163,7 @@ def _words(words: object) -> str:
     return " ".join(f"{letter}{value + 0.0:.4f}".rstrip("0").rstrip(".") for letter, value in words.items())
 
 
-def _predicted(plan: Plan) -> Table:
+def _tabulate_predictions(plan: Plan) -> Table:
     head = ("if", "X, mm", "Y, mm", "Z, mm", "together, mm")
     cells = [
         [text, *(f"{value + 0.0:.1f}" for value in off.tolist()), f"{float(np.linalg.norm(off)):.1f}"]

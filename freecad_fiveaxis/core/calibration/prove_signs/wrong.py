@@ -27,7 +27,7 @@ class Wrong:
     kinematics: Chain
     swapped: bool = False
 
-    def reached(self, q: Floats) -> tuple[Floats, Floats]:
+    def reach(self, q: Floats) -> tuple[Floats, Floats]:
         """Tip (n, 3) and axis (n, 3) that this machine reaches with the words ``q`` (n, 5) mm and rad."""
         q = np.asarray(q, float)
         return forward(self.kinematics, q[:, [0, 1, 2, 4, 3]] if self.swapped else q)
@@ -42,7 +42,7 @@ def wrong_machines(machine: Machine, setup: Setup) -> tuple[Wrong, ...]:
     )
     both = (first + second, say("{first} and {second} both turn the wrong way", first=first, second=second))
     turned = tuple(
-        Wrong(text, chain(_reversed(machine, letters), setup)) for letters, text in (*reversed_, both)
+        Wrong(text, chain(_reverse_axes(machine, letters), setup)) for letters, text in (*reversed_, both)
     )
     return (
         *turned,
@@ -52,9 +52,9 @@ def wrong_machines(machine: Machine, setup: Setup) -> tuple[Wrong, ...]:
     )
 
 
-def _reversed(machine: Machine, letters: str) -> Machine:
-    def turned(axis: Axis) -> Axis:
+def _reverse_axes(machine: Machine, letters: str) -> Machine:
+    def reverse_axis(axis: Axis) -> Axis:
         x, y, z = axis.direction
         return replace(axis, direction=(-x + 0.0, -y + 0.0, -z + 0.0)) if axis.letter in letters else axis
 
-    return replace(machine, axes=tuple(turned(axis) for axis in machine.axes))
+    return replace(machine, axes=tuple(reverse_axis(axis) for axis in machine.axes))

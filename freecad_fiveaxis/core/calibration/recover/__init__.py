@@ -2,13 +2,21 @@
 """A machine recovered from a CL path and the program that a post made of it."""
 
 from .page import recovery_html, recovery_json, recovery_text, verdict
-from .pairs import printed_axis_step, rotary_letters
+from .pairs import find_axis_step, rotary_letters
 from .parameters import Parameter, parameters
 from .recovery import Recovery, recover
 from .verdicts import recovery_findings
 
 __all__ = [
-    "Parameter", "Recovery", "parameters", "printed_axis_step", "recover", "recovery_findings",
-    "recovery_html", "recovery_json",
-    "recovery_text", "rotary_letters", "verdict",
+    "Parameter",
+    "Recovery",
+    "find_axis_step",
+    "parameters",
+    "recover",
+    "recovery_findings",
+    "recovery_html",
+    "recovery_json",
+    "recovery_text",
+    "rotary_letters",
+    "verdict",
 ]  # fmt: skip

@@ -96,7 +96,7 @@ class Fit:
         return math.log(max(self.scale, 1.0)) + math.log(3.0) * self.strange
 
 
-def screened(guess: Guess, pairs: Pairs, base: Floats, linear_zero: bool) -> Fit:
+def screen_guess(guess: Guess, pairs: Pairs, base: Floats, linear_zero: bool) -> Fit:
     """Return a quick robust fit of the lines (and of the linear zero) at the guess's rotary zeros;
     certainties are left out."""
     freedom = Freedom(linear_zero, any(guess.zeros))
@@ -105,26 +105,26 @@ def screened(guess: Guess, pairs: Pairs, base: Floats, linear_zero: bool) -> Fit
     columns = Freedom(linear_zero, False).columns
     for _ in range(2):  # the second time with the noise of the arms that were found
         rows = rows_of(guess.layout, pairs, base, unknown)
-        unknown[columns] += _trimmed(rows, columns)
-    return judged(guess.layout, freedom, pairs, base, unknown)
+        unknown[columns] += _solve_trimmed(rows, columns)
+    return judge_fit(guess.layout, freedom, pairs, base, unknown)
 
 
-def refined(first: Fit, pairs: Pairs, base: Floats) -> Fit:
+def refine_fit(first: Fit, pairs: Pairs, base: Floats) -> Fit:
     """All unknowns of the fit's freedom together (Gauss-Newton) on the rows that are not wrong, with their
     certainty."""
     fit, columns = first, first.freedom.columns
     for _ in range(STEPS):
         rows = rows_of(fit.layout, pairs, base, fit.unknown)
-        change, _ = _solved(rows, columns, np.flatnonzero(fit.good))
+        change, _ = _solve_change(rows, columns, np.flatnonzero(fit.good))
         unknown = fit.unknown.copy()
         unknown[columns] += change
-        fit = judged(fit.layout, fit.freedom, pairs, base, unknown)
+        fit = judge_fit(fit.layout, fit.freedom, pairs, base, unknown)
     return _certain(fit, pairs, base)
 
 
 def _normal(rows: Rows, columns: Ints) -> tuple[Floats, Floats, Floats]:
     """Of each row: matrix (n, p, p), right side (n, p), square (n,) of its whitened equations."""
-    jacobian, residual = _whitened(rows, columns)
+    jacobian, residual = _whiten_rows(rows, columns)
     return (
         jacobian.transpose(0, 2, 1) @ jacobian,
         np.einsum("nij,ni->nj", jacobian, residual),
@@ -132,11 +132,11 @@ def _normal(rows: Rows, columns: Ints) -> tuple[Floats, Floats, Floats]:
     )
 
 
-def _whitened(rows: Rows, columns: Ints) -> tuple[Floats, Floats]:
+def _whiten_rows(rows: Rows, columns: Ints) -> tuple[Floats, Floats]:
     return rows.whitener @ rows.jacobian[:, :, columns], np.einsum("nij,nj->ni", rows.whitener, rows.residual)
 
 
-def _trimmed(rows: Rows, columns: Ints) -> Floats:
+def _solve_trimmed(rows: Rows, columns: Ints) -> Floats:
     """Return the least-trimmed-squares change of the unknowns ``columns``, linear in them."""
     matrix, right, square = _normal(rows, columns)
     count = len(square)
@@ -162,7 +162,7 @@ def _pinv_solved(matrix: Floats, right: Floats) -> Floats:
     return np.asarray(np.einsum("spq,sq->sp", np.linalg.pinv(matrix, rcond=1e-13, hermitian=True), right))
 
 
-def judged(layout: Layout, freedom: Freedom, pairs: Pairs, base: Floats, unknown: Floats) -> Fit:
+def judge_fit(layout: Layout, freedom: Freedom, pairs: Pairs, base: Floats, unknown: Floats) -> Fit:
     """Return the fit that has these unknowns, on these pairs: scale, wrong rows; certainties are left out."""
     rows = rows_of(layout, pairs, base, unknown)
     white = np.einsum("nij,nj->ni", rows.whitener, rows.residual)
@@ -181,10 +181,10 @@ def judged(layout: Layout, freedom: Freedom, pairs: Pairs, base: Floats, unknown
     return Fit(layout, freedom, unknown, scale, good, row_scale, miss, lean, nothing, nothing, 1.96)
 
 
-def _solved(rows: Rows, columns: Ints, chosen: Ints) -> tuple[Floats, Floats]:
+def _solve_change(rows: Rows, columns: Ints, chosen: Ints) -> tuple[Floats, Floats]:
     """Change (p,) of the unknowns ``columns`` and its covariance (p, p), infinite on the diagonal where
     undetermined."""
-    jacobian, residual = _whitened(
+    jacobian, residual = _whiten_rows(
         Rows(*(getattr(rows, name)[chosen] for name in ("residual", "jacobian", "whitener"))), columns
     )
     units = np.where(columns >= ROTARY_ZERO.start, 1e-2, 1.0)  # a radian moves the tip by 100 mm and more
@@ -202,8 +202,8 @@ def _certain(fit: Fit, pairs: Pairs, base: Floats) -> Fit:
     rows, chosen = rows_of(fit.layout, pairs, base, fit.unknown), np.flatnonzero(fit.good)
     columns = fit.freedom.columns
     covariance = np.zeros((UNKNOWNS, UNKNOWNS))
-    covariance[np.ix_(columns, columns)] = _solved(rows, columns, chosen)[1]
-    free = _solved(rows, ALL_FREE.columns, chosen)[1]
+    covariance[np.ix_(columns, columns)] = _solve_change(rows, columns, chosen)[1]
+    free = _solve_change(rows, ALL_FREE.columns, chosen)[1]
     spare = max(FREEDOMS * len(chosen) - len(columns), 1.0)
     factor = 1.96 if fit.scale <= 1.0 else fit.scale * float(scipy.special.stdtrit(spare, 0.975))
     return Fit(**{**vars(fit), "covariance": covariance, "free": free, "factor": factor})

@@ -52,7 +52,9 @@ class Guess:
 def guesses(pairs: Pairs, start: Machine | None = None, zeros: bool = True) -> list[Guess]:
     """Return the layouts that explain the tool axes, the plainest first; ``zeros``: with shifted rotary zeros
     too."""
-    found = [guess for layout in every_layout(pairs.letters, start) for guess in _tried(layout, pairs, zeros)]
+    found = [
+        guess for layout in every_layout(pairs.letters, start) for guess in _try_zeros(layout, pairs, zeros)
+    ]
     best = min(guess.off for guess in found)
     passed = [
         guess for guess in found if guess.off <= max(PASSES * best, AXIS_NOISE + PASSES * pairs.steps.axis)
@@ -110,7 +112,7 @@ def _turns_the_tool(layout: Layout) -> bool:
     return bool(np.linalg.norm(np.cross(first, second)) > 1e-6 and math.hypot(second[0], second[1]) > 1e-6)
 
 
-def _tried(layout: Layout, pairs: Pairs, shifted: bool) -> Iterator[Guess]:
+def _try_zeros(layout: Layout, pairs: Pairs, shifted: bool) -> Iterator[Guess]:
     """With both zeros 0, and with the zeros that fit best where those are better by far."""
     order = [pairs.letters.index(letter) for letter in layout.letters]
     words = pairs.rotary[:, order]

@@ -54,7 +54,7 @@ class Sequences:
     line: Ints
     steps: Steps
 
-    def paired(self, rows: Ints, blocks: Ints) -> Pairs:
+    def pair_rows(self, rows: Ints, blocks: Ints) -> Pairs:
         """Return the pairs with both ends. Raises ProgramError where hardly any are left."""
         if len(rows) < LEAST:
             text = say(
@@ -108,11 +108,11 @@ def in_order(given: Sequences) -> Pairs | None:
     for still in (-1.0, *STILL):
         rows = np.flatnonzero(np.concatenate([[True], step > still]))
         if len(rows) == len(blocks):
-            return given.paired(rows, blocks)
+            return given.pair_rows(rows, blocks)
     return None
 
 
-def aligned(given: Sequences, start: Machine | None = None) -> Pairs:
+def align_pairs(given: Sequences, start: Machine | None = None) -> Pairs:
     """Paired by the likeness of the axes of that layout which makes most of them alike. Raises ProgramError
     where none does."""
     head, every = _probe(given), list(every_layout(given.letters, start))
@@ -125,7 +125,7 @@ def aligned(given: Sequences, start: Machine | None = None) -> Pairs:
             key=lambda found: found[0],
         )
     whole = _whole(given)
-    return whole.paired(*_traced(_axis_likeness(whole, best)))
+    return whole.pair_rows(*_trace_matches(_axis_likeness(whole, best)))
 
 
 def _likest(head: Sequences, layouts: list[Layout]) -> tuple[float, Layout]:
@@ -135,12 +135,12 @@ def _likest(head: Sequences, layouts: list[Layout]) -> tuple[float, Layout]:
     return sums[best], layouts[best]
 
 
-def realigned(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> Pairs:
+def realign_pairs(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> Pairs:
     """Paired by the likeness of the tips, with a machine that is known."""
     whole = _whole(given)
-    tip, axis = _reached(whole, layout, base, unknown)
+    tip, axis = _reach_poses(whole, layout, base, unknown)
     alike = _alike(_distance(whole.tip, tip), TIP_ALIKE) * (_distance(whole.axis, axis) < 10.0 * AXIS_ALIKE)
-    return whole.paired(*_traced(alike))
+    return whole.pair_rows(*_trace_matches(alike))
 
 
 def _probe(given: Sequences) -> Sequences:
@@ -166,7 +166,7 @@ def _head(given: Sequences, rows: int, blocks: int) -> Sequences:
     )  # fmt: skip
 
 
-def _reached(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> tuple[Floats, Floats]:
+def _reach_poses(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> tuple[Floats, Floats]:
     nothing = np.zeros((len(given.line), 3))
     words = Pairs(
         given.letters,
@@ -184,7 +184,7 @@ def _reached(given: Sequences, layout: Layout, base: Floats, unknown: Floats) ->
 
 
 def _axis_likeness(given: Sequences, layout: Layout) -> Floats:
-    _, axis = _reached(given, layout, np.zeros((2, 3)), np.zeros(UNKNOWNS))
+    _, axis = _reach_poses(given, layout, np.zeros((2, 3)), np.zeros(UNKNOWNS))
     lengths = (
         np.linalg.norm(np.diff(where, axis=0, prepend=where[:1]), axis=1)
         for where in (given.tip, given.linear)
@@ -215,7 +215,7 @@ def _table(alike: Floats) -> Floats:
     return sums
 
 
-def _traced(alike: Floats) -> tuple[Ints, Ints]:
+def _trace_matches(alike: Floats) -> tuple[Ints, Ints]:
     sums = _table(alike)
     i, j = alike.shape
     found = []

@@ -60,7 +60,7 @@ class Pairs:
     def __post_init__(self) -> None:
         freeze(self, None, tip="f3", axis="f3", linear="f3", rotary="f2", row="i", line="i", block="i")
 
-    def chosen(self, rows: Ints) -> Pairs:
+    def take(self, rows: Ints) -> Pairs:
         """Return some of the rows."""
         tip, axis, linear, rotary = self.tip[rows], self.axis[rows], self.linear[rows], self.rotary[rows]
         return Pairs(
@@ -97,7 +97,7 @@ def _decimals(values: Floats) -> int:
     return FINEST
 
 
-def printed_axis_step(text: bytes) -> float:
+def find_axis_step(text: bytes) -> float:
     """Return the step of the tool axes of an APT text, by the longest of their printed numbers; AXIS_STEP
     where there are none."""
     most = 0

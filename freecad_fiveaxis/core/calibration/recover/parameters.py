@@ -70,7 +70,7 @@ def _values(found: Recovery) -> tuple[list[float], list[str], list[float | None]
         for way in across(direction):
             values.append(float(way @ point_of(found.machine, letter)))
             names.append(f"{letter} line, {way_name(way)}")
-            given.append(_given(found.start, letter, way, direction))
+            given.append(_find_given(found.start, letter, way, direction))
     values += unknown[LINEAR_ZERO].tolist() + np.degrees(unknown[ROTARY_ZERO]).tolist()
     names += [f"{letter} zero" for letter in "XYZ" + layout.letters]
     return values, names, given + [None] * 5
@@ -81,7 +81,7 @@ def point_of(machine: Machine, letter: str) -> Floats:
     return np.array(next(axis.point for axis in machine.rotary if axis.letter == letter))
 
 
-def _given(
+def _find_given(
     start: Machine | None, letter: str, way: Floats, direction: tuple[float, float, float]
 ) -> float | None:
     """Return the same coordinate of the machine to compare with, where its axis of that letter has the same

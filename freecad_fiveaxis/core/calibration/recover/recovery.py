@@ -23,9 +23,9 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward_tip
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
-from .fit import Fit, judged, refined, screened
+from .fit import Fit, judge_fit, refine_fit, screen_guess
 from .layouts import Guess, guesses, kinds, start_layout
-from .matching import Sequences, aligned, in_order, realigned, sequences
+from .matching import Sequences, align_pairs, in_order, realign_pairs, sequences
 from .model import HEAD_HEAD, LINES, ROTARY_ZERO, TABLE_TABLE, Layout, across
 from .pairs import AXIS_STEP, Pairs
 
@@ -78,32 +78,32 @@ def recover(
     best = None if pairs is None else _best(pairs, start, setup)
     progress("recover", 0.4)
     if best is None or best[0].good.mean() < PAIRED:
-        pairs, best = _aligned(given, start, setup, best, pairs)
+        pairs, best = _align_and_fit(given, start, setup, best, pairs)
     assert pairs is not None  # _aligned has raised otherwise
     progress("recover", 0.8)
     base = base_points(best[0].layout, start, setup)
-    sample = pairs.chosen(_spread(len(pairs.row), FITTED))
+    sample = pairs.take(_spread(len(pairs.row), FITTED))
     rough = best[0]
-    fit = refined(judged(rough.layout, rough.freedom, sample, base, rough.unknown), sample, base)
+    fit = refine_fit(judge_fit(rough.layout, rough.freedom, sample, base, rough.unknown), sample, base)
     machine = _machine(fit, base, start, setup, name)
-    miss = _start_miss(sample.chosen(np.flatnonzero(fit.good)), start, setup)
-    return Recovery(machine, fit, sample, tuple(best[1:]), start, miss, setup, _skipped(pairs))
+    miss = _start_miss(sample.take(np.flatnonzero(fit.good)), start, setup)
+    return Recovery(machine, fit, sample, tuple(best[1:]), start, miss, setup, _count_skipped(pairs))
 
 
-def _aligned(
+def _align_and_fit(
     given: Sequences, start: Machine | None, setup: Setup, other: list[Fit] | None, other_pairs: Pairs | None
 ) -> tuple[Pairs, list[Fit]]:
     """By alignment, and once more with the machine found; as it was where that is no better."""
-    pairs = aligned(given, start)
+    pairs = align_pairs(given, start)
     best = _best(pairs, start, setup)
-    pairs = realigned(given, best[0].layout, base_points(best[0].layout, start, setup), best[0].unknown)
+    pairs = realign_pairs(given, best[0].layout, base_points(best[0].layout, start, setup), best[0].unknown)
     best = _best(pairs, start, setup, [Guess(fit.layout, _rotary_zeros(fit), 0.0) for fit in best])
     if other is not None and other_pairs is not None and other[0].score <= best[0].score:
         return other_pairs, other
     return pairs, best
 
 
-def _skipped(pairs: Pairs) -> int:
+def _count_skipped(pairs: Pairs) -> int:
     return int(pairs.block[-1] - pairs.block[0] + 1) - len(pairs.block)
 
 
@@ -115,13 +115,13 @@ def _rotary_zeros(fit: Fit) -> tuple[float, float]:
 def _best(pairs: Pairs, start: Machine | None, setup: Setup, known: list[Guess] | None = None) -> list[Fit]:
     """Return the best fit, then those of other layouts that are as good; of the ``known`` layouts where these
     are given."""
-    sample = pairs.chosen(_spread(len(pairs.row), TRIED))
+    sample = pairs.take(_spread(len(pairs.row), TRIED))
     _check(sample)
-    fits = _screened(known or _kinds(guesses(sample, start, False), start), sample, start, setup)
+    fits = _screen_fits(known or _kinds(guesses(sample, start, False), start), sample, start, setup)
     if (
         known is None and fits[0].scale > EQUAL
     ):  # only then can a shifted rotary zero be the plainest explanation
-        fits = _screened(_kinds(guesses(sample, start), start), sample, start, setup)
+        fits = _screen_fits(_kinds(guesses(sample, start), start), sample, start, setup)
     best = fits[0]
     alike = [fit for fit in fits[1:] if _as_good(fit, best) and not _same(fit.layout, best.layout)]
     return [best, *alike]
@@ -131,10 +131,10 @@ def _kinds(found: list[Guess], start: Machine | None) -> list[Guess]:
     return [kind for guess in found for kind in kinds(guess, start)]
 
 
-def _screened(tried: list[Guess], pairs: Pairs, start: Machine | None, setup: Setup) -> list[Fit]:
+def _screen_fits(tried: list[Guess], pairs: Pairs, start: Machine | None, setup: Setup) -> list[Fit]:
     """Fits of the guesses, with and without a shifted linear zero, the best first."""
     fits = [
-        screened(guess, pairs, base_points(guess.layout, start, setup), linear_zero)
+        screen_guess(guess, pairs, base_points(guess.layout, start, setup), linear_zero)
         for guess in tried
         for linear_zero in (False, True)
     ]

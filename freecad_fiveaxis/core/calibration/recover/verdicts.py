@@ -12,7 +12,16 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Option, Sentence, joined, measure, say
+from freecad_fiveaxis.core.base.sentences import (
+    Angle,
+    Length,
+    Number,
+    Option,
+    Sentence,
+    join_sentences,
+    measure,
+    say,
+)
 from freecad_fiveaxis.core.machine import Axis
 
 from .layouts import start_layout
@@ -39,7 +48,7 @@ def recovery_findings(found: Recovery, tolerance: float) -> tuple[Finding, ...]:
         *_zeros(fits),
         *_signs(found),
         *_mismatches(found, fits, tolerance),
-        *_assumed(found),
+        *_report_assumptions(found),
     )
 
 
@@ -58,7 +67,7 @@ def describe(layout: Layout) -> Sentence:
 
 def _layouts(found: Recovery) -> Iterator[Finding]:
     if found.others:
-        more = joined((describe(fit.layout) for fit in found.others[:3]), "; ")
+        more = join_sentences((describe(fit.layout) for fit in found.others[:3]), "; ")
         text = say(
             "{count} other layouts explain the rows as well: {more}. The plainest is written; give more "
             "rows, with larger turns of both rotary axes, or the machine with {machine}.",
@@ -131,7 +140,7 @@ def _certainties(found: Recovery, fits: tuple[Parameter, ...], tolerance: float)
 def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
     linear = [one for one in fits[4:] if one.unit == "mm" and _elsewhere(one)]
     if len(linear) > 1:
-        yield _shifted(linear)
+        yield _report_shifted_zeros(linear)
     for one in fits[4:]:
         if one in linear and len(linear) > 1:
             continue
@@ -175,7 +184,7 @@ def _elsewhere(one: Parameter) -> bool:
     )
 
 
-def _shifted(zeros: list[Parameter]) -> Finding:
+def _report_shifted_zeros(zeros: list[Parameter]) -> Finding:
     """Zeros of several linear axes that lie elsewhere are one thing: the work zero."""
     shift = float(np.linalg.norm([one.value for one in zeros]))
     text = say(
@@ -287,7 +296,7 @@ def _effect(found: Recovery) -> str:
     return say(" On that machine the tip would be off by up to {miss}.", miss=Length(found.start_miss, ".4g"))
 
 
-def _assumed(found: Recovery) -> Iterator[Finding]:
+def _report_assumptions(found: Recovery) -> Iterator[Finding]:
     known = () if found.start is None else tuple(axis.letter for axis in found.start.axes)
     if unknown := [axis.letter for axis in found.machine.axes if axis.letter not in known]:
         of = say(" of {axes}", axes=", ".join(unknown)) if known else ""

@@ -41,7 +41,7 @@ class HalfEdges:
             return self.half[row]
         return (self.word[row] & np.uint64((1 << self.low + 2) - 1)).view(np.int64)
 
-    def paired(self) -> bool:
+    def is_paired(self) -> bool:
         """Return True where each edge has two half-edges of opposite senses, which then stand in rows 2 i and
         2 i + 1."""
         if len(self.word) % 2:
@@ -59,7 +59,7 @@ class HalfEdges:
         return True
 
 
-def sorted_half_edges(face: Ints, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
+def sort_half_edges(face: Ints, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
     """Return the half-edges of ``face`` (f, 3), rows of so many ``vertices``, and what ``work`` gives, done
     in the meantime.
 

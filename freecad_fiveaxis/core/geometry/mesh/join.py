@@ -87,7 +87,7 @@ def _open(side: _Sides, rim: Bools) -> Bools:
     return np.asarray((side.shared == 1) & rim[side.start] & rim[side.end])
 
 
-def _flawed(vertex: Floats, face: Ints, side: _Sides) -> Bools:
+def _find_flawed(vertex: Floats, face: Ints, side: _Sides) -> Bools:
     """Half-edges (3 f,) of flawed edges."""
     turn = np.bincount(side.edge, np.where(side.start < side.end, 1.0, -1.0))[side.edge]
     normal = np.repeat(_normals(vertex, face), 3, axis=0)
@@ -140,7 +140,7 @@ def _join_corners(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints]:
         gone = np.flatnonzero(place != np.arange(len(place)))
         if not len(gone):
             return face, gone
-        wrong = _unfit(vertex, face, place, was_open) | _scattered(vertex, place, gone, shortest)
+        wrong = _unfit(vertex, face, place, was_open) | _find_scattered(vertex, place, gone, shortest)
         if not wrong.any():
             return place[face], gone
         place = np.where(wrong[place], np.arange(len(place)), place)
@@ -177,7 +177,7 @@ def _unfit(vertex: Floats, face: Ints, place: Ints, was_open: Bools) -> Bools:
     merged[place[place != np.arange(len(place))]] = True
     thin = (new == np.roll(new, -1, axis=1)).any(axis=1)
     wrong[new[thin]] = True
-    flawed = _flawed(vertex, new, side)
+    flawed = _find_flawed(vertex, new, side)
     useful = np.zeros(len(place), np.bool_)
     for ends in (side.start, side.end):
         wrong[ends[flawed]] = True
@@ -185,7 +185,7 @@ def _unfit(vertex: Floats, face: Ints, place: Ints, was_open: Bools) -> Bools:
     return merged & (wrong | ~useful)
 
 
-def _scattered(vertex: Floats, place: Ints, gone: Ints, shortest: Floats) -> Bools:
+def _find_scattered(vertex: Floats, place: Ints, gone: Ints, shortest: Floats) -> Bools:
     """First vertices (v,) of clusters with a corner too far from the first one."""
     away = np.linalg.norm(vertex[gone] - vertex[place[gone]], axis=1)
     wrong = np.zeros(len(place), np.bool_)
@@ -203,7 +203,7 @@ def _split_junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints
         half, at, share = _junctions(vertex, face, rim)
         usable = np.ones(len(face), np.bool_)
         while len(half):
-            split, owner = _divided(face, half, at, share)
+            split, owner = _divide_facets(face, half, at, share)
             bad = _unfit_parts(vertex, face, split, owner)
             if not bad.any():
                 break
@@ -268,7 +268,7 @@ def _candidates(point: Floats, start: Floats, end: Floats, near: Floats) -> tupl
     return pair[0], pair[1]
 
 
-def _divided(face: Ints, half: Ints, at: Ints, share: Floats) -> tuple[Ints, Ints]:
+def _divide_facets(face: Ints, half: Ints, at: Ints, share: Floats) -> tuple[Ints, Ints]:
     """Facets divided at vertices ``at`` (j,) of their half-edges (j,), and whose part (g,) each is; its side
     0 lies on the side that was divided."""
     facet, first = np.unique(half // 3, return_index=True)
@@ -289,6 +289,6 @@ def _unfit_parts(vertex: Floats, face: Ints, split: Ints, owner: Ints) -> Bools:
     """Facets (f,) whose parts would turn over, have a flawed edge, or close no edge."""
     side, divided = _sides(split), np.bincount(owner, minlength=len(face)) > 1
     turned = (_normals(vertex, split) * _normals(vertex, face)[owner]).sum(axis=1) < 0.9
-    flawed = _flawed(vertex, split, side).reshape(-1, 3)[:, 0]
+    flawed = _find_flawed(vertex, split, side).reshape(-1, 3)[:, 0]
     closes = np.bincount(owner, side.shared.reshape(-1, 3)[:, 0] == 2, len(face)) > 0
     return divided & ((np.bincount(owner, turned | flawed, len(face)) > 0) | ~closes)

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Length, Point, Template, say
 
-from .half_edges import HalfEdges, partners, sorted_half_edges
+from .half_edges import HalfEdges, partners, sort_half_edges
 from .join import join_facets
 from .weld import Reals, separate, weld
 from .words import T, Words
@@ -99,7 +99,7 @@ def from_columns(column: Reals) -> Mesh:
     """Return the same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner,
     facet; -0 becomes 0 in them."""
     _numbers(column.T, say("triangle corners"), (3, 3))
-    vertex, face, shape, halves = _welded(column)
+    vertex, face, shape, halves = _weld_corners(column)
     del column  # nobody needs it any more, and the rest needs room
     return _build(vertex, face, shape, halves)
 
@@ -221,7 +221,7 @@ def _check_size(size: float) -> None:
 # ------------------------------------------------------------------------------------------------ facets
 
 
-def _welded(column: Reals) -> tuple[Floats, Ints, _Shape, HalfEdges]:
+def _weld_corners(column: Reals) -> tuple[Floats, Ints, _Shape, HalfEdges]:
     """Vertices, facets, flat ones included, their shape, and the half-edges of those that stay, from corners
     (3, 3, f)."""
     facets = column.shape[2]
@@ -253,7 +253,7 @@ def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh
     mesh = Mesh(
         vertex, face, normal, area, edges.vertex, edges.face, edges.of_face, (*findings, *edges.findings)
     )
-    return _turned(mesh) if edges.closed and shape.inward else mesh
+    return _flip_facets(mesh) if edges.closed and shape.inward else mesh
 
 
 def join_loose(mesh: Mesh) -> Mesh:
@@ -280,7 +280,7 @@ def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T])
             say("none of the {count} facets has an area: check the units and the export", count=len(face)),
             len(face),
         )
-    return sorted_half_edges(_without(face, shape.flat), vertices, work)
+    return sort_half_edges(_without(face, shape.flat), vertices, work)
 
 
 def _without(table: NDArray[S], rows: Ints) -> NDArray[S]:
@@ -297,7 +297,7 @@ def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
     return report_finding(Code.DEGENERATE_FACETS, text, float(len(flat)), 0.0, place=place)
 
 
-def _turned(mesh: Mesh) -> Mesh:
+def _flip_facets(mesh: Mesh) -> Mesh:
     """Return the same facets seen from the other side."""
     place = _place(mesh.vertex, mesh.face[0])
     text = say(
@@ -380,7 +380,7 @@ def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
     findings: list[Finding] = []
     number, alone, closed = len(halves.word) // 2, np.empty(0, dtype=np.int64), True
     pairs: Iterator[tuple[slice | Ints, slice | Ints]]
-    if halves.paired():
+    if halves.is_paired():
         pairs = (
             (slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2))
             for at in chunks(number)

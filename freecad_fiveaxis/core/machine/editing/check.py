@@ -43,7 +43,7 @@ class Problem:
 def check_draft(draft: MachineDraft) -> tuple[Machine | None, tuple[Problem, ...]]:
     """Give the machine of a draft, None where some problem is an error, and the problems, errors first. Its
     bodies' files have their whole names."""
-    found = [*_repeated_letters(draft), *_axis_errors(draft), *_body_errors(draft)]
+    found = [*_find_repeated_letters(draft), *_axis_errors(draft), *_body_errors(draft)]
     machine: Machine | None = None
     if not found:
         machine, found = _whole(draft)
@@ -58,7 +58,7 @@ def require_machine(draft: MachineDraft) -> Machine:
     return machine
 
 
-def _repeated_letters(draft: MachineDraft) -> list[Problem]:
+def _find_repeated_letters(draft: MachineDraft) -> list[Problem]:
     letters = draft.letters()
     twice = sorted({letter for letter in letters if letters.count(letter) > 1})
     return [
@@ -72,7 +72,7 @@ def _repeated_letters(draft: MachineDraft) -> list[Problem]:
 
 def _axis_errors(draft: MachineDraft) -> Iterator[Problem]:
     for axis in draft.axes:
-        yield from _tried(f"{AXES}.{axis.letter}", partial(_check_axis, axis, draft.unit))
+        yield from _try_field(f"{AXES}.{axis.letter}", partial(_check_axis, axis, draft.unit))
 
 
 def _check_axis(axis: AxisDraft, unit: float) -> None:
@@ -87,7 +87,7 @@ def _check_axis(axis: AxisDraft, unit: float) -> None:
 def _body_errors(draft: MachineDraft) -> Iterator[Problem]:
     """Of each body alone; two of one name are an error of the whole."""
     for body in draft.bodies:
-        yield from _tried(f"bodies.{body.name}", partial(_check_body, body, draft))
+        yield from _try_field(f"bodies.{body.name}", partial(_check_body, body, draft))
 
 
 def _check_body(body: MachineBody, draft: MachineDraft) -> None:
@@ -103,11 +103,11 @@ def _whole(draft: MachineDraft) -> tuple[Machine | None, list[Problem]]:
         machine = read_machine(draft_data(draft))
     except FiveAxisError as error:
         return None, [Problem(MACHINE, error.text)]
-    unsolved = list(_tried(AXES, lambda: chain(machine, Setup(machine.origin))))
+    unsolved = list(_try_field(AXES, lambda: chain(machine, Setup(machine.origin))))
     return (None if unsolved else machine), unsolved
 
 
-def _tried(field: str, work: Callable[[], Any]) -> Iterator[Problem]:
+def _try_field(field: str, work: Callable[[], Any]) -> Iterator[Problem]:
     try:
         work()
     except FiveAxisError as error:

@@ -100,7 +100,7 @@ def axis_data(axis: AxisDraft, unit: float) -> dict[str, Any]:
     )
     scale = 1.0 if axis.rotary else unit
 
-    def changed(*names: str) -> bool:
+    def is_changed(*names: str) -> bool:
         return before is None or any(getattr(before, name) != getattr(axis, name) for name in names)
 
     if before is None:
@@ -109,19 +109,19 @@ def axis_data(axis: AxisDraft, unit: float) -> dict[str, Any]:
             "limits": {},
             **(TURNING if axis.rotary else {}),
         }
-    if changed("side"):
+    if is_changed("side"):
         data["role"] = f"{axis.side}_{'rotary' if axis.rotary else 'linear'}"
-    if changed("direction", "point"):
+    if is_changed("direction", "point"):
         data["joint"] = {
             "origin": [_number(one / unit) for one in axis.point],
             "axis": [_number(one) for one in axis.direction],
         }
     for name, key in (("low", "min"), ("high", "max")):
-        if changed(name):
+        if is_changed(name):
             data["limits"][key] = _limit(getattr(axis, name), scale)
-    if changed("max_rate"):
+    if is_changed("max_rate"):
         data["max_velocity"] = None if axis.max_rate is None else _number(axis.max_rate / scale)
-    if axis.rotary and changed("wrap"):
+    if axis.rotary and is_changed("wrap"):
         data["wrap_strategy"] = axis.wrap
     return {key: value for key, value in data.items() if key != "max_velocity" or value is not None}
 

@@ -43,13 +43,13 @@ class HalValues:
         self.unread: list[FileError] = []
         """HAL files that cannot be read: they matter where the module has pins."""
         for text, where in _statements(ini, self.unread):
-            self._take(_substituted(text, where, ini).split(), where)
+            self._take(_substitute_ini(text, where, ini).split(), where)
 
     def value(self, pin: str) -> float | None:
         """Return the number that a pin has from the start, None where nothing sets it. Raises MachineError
         where that is not known."""
         signal = self.signal_of.get(pin)
-        given = self._given(pin, signal)
+        given = self._find_start_value(pin, signal)
         if given is None and signal is not None and self.sources[signal] - {pin}:
             others = ", ".join(sorted(self.sources[signal] - {pin}))
             text = Template(
@@ -64,7 +64,7 @@ class HalValues:
             self.from_panel[pin] = found
         return found
 
-    def _given(self, pin: str, signal: str | None) -> Value | None:
+    def _find_start_value(self, pin: str, signal: str | None) -> Value | None:
         """Return what the slider that drives the signal starts with, else what ``sets`` says of it, else
         ``setp`` of the pin itself."""
         of_signal = None if signal is None else self.signals.get(signal)
@@ -80,13 +80,13 @@ class HalValues:
         a sum2.
 
         Raises MachineError where the number is not known."""
-        if self.joined(pin, other):
+        if self.is_joined(pin, other):
             return 0.0, True
         name = self._sum_into(pin)
         if name is None:
             return self.value(pin), False
         gains = {f"{name}.in{i}": self._or(f"{name}.gain{i}", 1.0) for i in (0, 1)}
-        added = next((place for place in gains if gains[place] == 1.0 and self.joined(place, other)), None)
+        added = next((place for place in gains if gains[place] == 1.0 and self.is_joined(place, other)), None)
         rest = sum(gains[place] * self._or(place, 0.0) for place in gains if place != added)
         return self._or(f"{name}.offset", 0.0) + rest, added is not None
 
@@ -109,7 +109,7 @@ class HalValues:
                     f"sum2.{i}" for i in range(int(count) if re.fullmatch("[0-9]{1,2}", count) else 1)
                 )
 
-    def joined(self, pin: str, other: str) -> bool:
+    def is_joined(self, pin: str, other: str) -> bool:
         """Whether one signal joins both pins."""
         signal = self.signal_of.get(pin)
         return signal is not None and other in self.sources[signal]
@@ -180,7 +180,7 @@ def _of_file(path: Path, ini: IniFile, named: str, depth: int = 0) -> Iterator[t
             yield text, where
 
 
-def _substituted(text: str, where: str, ini: IniFile) -> str:
+def _substitute_ini(text: str, where: str, ini: IniFile) -> str:
     """``[SECTION](KEY)``, ``[SECTION]KEY`` and Tcl's ``$::SECTION(KEY)`` replaced by the ini file's value."""
 
     def value(found: re.Match[str]) -> str:

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Length, say
 
-from .record import Given, Kinematics, Pin, Turn, Y, Z, turned
+from .record import Given, Kinematics, Pin, Turn, Y, Z, apply_sense
 
 PIVOT = "pivot-length"
 
@@ -28,7 +28,7 @@ PIVOT = "pivot-length"
 def _fork(given: Given) -> tuple[Turn, ...]:
     """Return the fork C that carries B."""
     pivot = (0.0, 0.0, given.values[PIVOT])
-    return Turn("C", "head", Z, (0.0, 0.0, 0.0)), Turn("B", "head", turned(Y, -1.0), pivot)
+    return Turn("C", "head", Z, (0.0, 0.0, 0.0)), Turn("B", "head", apply_sense(Y, -1.0), pivot)
 
 
 def _fork_remarks(given: Given) -> tuple[Finding, ...]:
@@ -46,7 +46,7 @@ def _head_over_table(given: Given) -> tuple[Turn, ...]:
     """Return the head B over the table C."""
     sense = 1.0 if given.values["conventional-directions"] else -1.0
     pivot = (0.0, 0.0, given.values[PIVOT])
-    return Turn("C", "table", Z, (0.0, 0.0, 0.0)), Turn("B", "head", turned(Y, sense), pivot)
+    return Turn("C", "table", Z, (0.0, 0.0, 0.0)), Turn("B", "head", apply_sense(Y, sense), pivot)
 
 
 def _max_remarks(given: Given) -> tuple[Finding, ...]:

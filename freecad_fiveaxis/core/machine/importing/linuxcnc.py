@@ -59,9 +59,14 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
     length, angle = _unit(ini, "LINEAR_UNITS", LENGTHS), _unit(ini, "ANGULAR_UNITS", ANGLES)
     pins = pin_values(hal, kind, length)
     given = Given(kind.prefix or kind.name, _present(ini, order), pins.values, line.where, pins.follows_tool)
-    turns = tuple(_lifted(turn, pins) for turn in kind.turns(given))
+    turns = tuple(_lift_turn(turn, pins) for turn in kind.turns(given))
     axes = tuple(_axis(ini, axis, order.index(axis.letter), length, angle) for axis in _work_to_tool(turns))
-    findings = (*pins.findings, *kind.remarks(given), *_held(kind, given, turns), *_unread(hal, kind))
+    findings = (
+        *pins.findings,
+        *kind.remarks(given),
+        *_report_unheld_letters(kind, given, turns),
+        *_unread(hal, kind),
+    )
     description = f"LinuxCNC's {kind.name}, imported from {path.name}"
     return Machine(_name(ini), axes, description=description, controller="linuxcnc"), findings
 
@@ -127,7 +132,7 @@ def _present(ini: IniFile, order: str) -> str:
     return "".join(letter for letter in dict.fromkeys(order) if letter in letters)
 
 
-def _lifted(turn: Turn, pins: PinValues) -> Turn:
+def _lift_turn(turn: Turn, pins: PinValues) -> Turn:
     x, y, z = turn.point
     return Turn(turn.letter, turn.side, turn.direction, (x, y, z + pins.lift))
 
@@ -150,7 +155,7 @@ def _unread(hal: HalValues, kind: Kinematics) -> list[Finding]:
     return [report_finding(Code.HAL_FILE_NOT_READ, text)]
 
 
-def _held(kind: Kinematics, given: Given, turns: tuple[Turn, ...]) -> list[Finding]:
+def _report_unheld_letters(kind: Kinematics, given: Given, turns: tuple[Turn, ...]) -> list[Finding]:
     kept = {axis.letter for axis in (*LINEAR, *turns)}
     held = [letter for letter in given.letters if letter not in kept]
     if not held:

@@ -43,7 +43,7 @@ def pin_values(hal: HalValues, kind: Kinematics, length: float) -> PinValues:
 
     Raises MachineError naming a pin whose value is no number or that no file says.
     """
-    given, follows = _given(hal, kind)
+    given, follows = _read_pins(hal, kind)
     constant = 0.0 if not kind.tool or kind.tool_in or follows else hal.value(kind.pin(kind.tool)) or 0.0
     values = {
         pin.name: (length if pin.length else 1.0)
@@ -52,27 +52,27 @@ def pin_values(hal: HalValues, kind: Kinematics, length: float) -> PinValues:
     }
     findings = [
         *_lacking(given, kind),
-        *_unused(hal, kind),
+        *_report_unused(hal, kind),
         *_constant(kind, constant),
         *_by_panel(hal, kind),
     ]
     return PinValues(values, length * constant, follows, tuple(findings))
 
 
-def _given(hal: HalValues, kind: Kinematics) -> tuple[dict[str, float | None], bool]:
+def _read_pins(hal: HalValues, kind: Kinematics) -> tuple[dict[str, float | None], bool]:
     """Return what the files say of each pin, and whether the tool length comes in by one of them."""
     given, follows = (
-        {pin.name: hal.value(kind.pin(pin.name)) for pin in kind.pins if not _summed(kind, pin.name)},
+        {pin.name: hal.value(kind.pin(pin.name)) for pin in kind.pins if not _is_summed(kind, pin.name)},
         False,
     )
     if kind.tool_in:
         given[kind.tool], follows = hal.beside(kind.pin(kind.tool), TOOL)
     elif kind.tool:
-        follows = hal.joined(kind.pin(kind.tool), TOOL)
+        follows = hal.is_joined(kind.pin(kind.tool), TOOL)
     return given, follows
 
 
-def _summed(kind: Kinematics, name: str) -> bool:
+def _is_summed(kind: Kinematics, name: str) -> bool:
     return kind.tool_in and name == kind.tool
 
 
@@ -90,7 +90,7 @@ def _lacking(given: Mapping[str, float | None], kind: Kinematics) -> list[Findin
     return [report_finding(Code.OFFSET_NOT_SET, text)]
 
 
-def _unused(hal: HalValues, kind: Kinematics) -> list[Finding]:
+def _report_unused(hal: HalValues, kind: Kinematics) -> list[Finding]:
     found = []
     for name in kind.unused:
         if number := hal.value(kind.pin(name)):

@@ -92,7 +92,7 @@ class Kinematics:
         return f"{self.prefix or self.name}.{name}"
 
 
-def turned(direction: Vector, sense: float) -> Vector:
+def apply_sense(direction: Vector, sense: float) -> Vector:
     """Give the direction (3,) as it is for ``sense`` 1, reversed for -1."""
     x, y, z = direction
     return sense * x + 0.0, sense * y + 0.0, sense * z + 0.0

@@ -20,7 +20,7 @@ from functools import partial
 
 from freecad_fiveaxis.core.machine import Vector
 
-from .record import Given, Kinematics, Pin, Turn, X, Y, Z, turned
+from .record import Given, Kinematics, Pin, Turn, X, Y, Z, apply_sense
 
 CONVENTIONAL = Pin("conventional-directions", required=False, length=False)
 CENTRE = tuple(Pin(f"{letter}-rot-point", required=False) for letter in "xyz")
@@ -37,8 +37,8 @@ def _trunnion(given: Given, letter: str, direction: Vector) -> tuple[Turn, ...]:
     value, (x, y, z) = given.values, _centre(given)
     sense = 1.0 if value["conventional-directions"] else -1.0
     shifted = (x + value.get("x-offset", 0.0), y + value.get("y-offset", 0.0), z + value["z-offset"])
-    return Turn("C", "table", turned(Z, sense), (x, y, z)), Turn(
-        letter, "table", turned(direction, sense), shifted
+    return Turn("C", "table", apply_sense(Z, sense), (x, y, z)), Turn(
+        letter, "table", apply_sense(direction, sense), shifted
     )
 
 

@@ -102,7 +102,7 @@ def _hang(tree: Tree, joints: Sequence[Joint]) -> None:
 def find_ends(tree: Tree, path: Path) -> tuple[str, str]:
     """Name the link of the table and that of the tool. Raises MachineError where names do not say which these
     are."""
-    table, tool = (_named(tree, words, path) for words in (TABLES, TOOLS))
+    table, tool = (_find_named_link(tree, words, path) for words in (TABLES, TOOLS))
     if tree.group(table) == tree.group(tool):
         raise wrong(
             path,
@@ -115,7 +115,7 @@ def find_ends(tree: Tree, path: Path) -> tuple[str, str]:
     return table, tool
 
 
-def _named(tree: Tree, words: Sequence[str], path: Path) -> str:
+def _find_named_link(tree: Tree, words: Sequence[str], path: Path) -> str:
     for word in words:
         found = [link for link in tree.place if word in re.split(r"[^a-z0-9]+", link.lower())]
         found = found or [link for link in tree.place if word in link.lower()]

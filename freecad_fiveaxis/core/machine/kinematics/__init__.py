@@ -15,7 +15,7 @@ from .serial_chain import (
     lift_of,
     linear_words,
     q_to_words,
-    raised,
+    raise_chain,
     words_to_q,
 )
 
@@ -34,6 +34,6 @@ __all__ = [
     "lift_of",
     "linear_words",
     "q_to_words",
-    "raised",
+    "raise_chain",
     "words_to_q",
 ]

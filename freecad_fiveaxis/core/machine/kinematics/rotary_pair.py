@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.base.columns import (
     Turn,
     clean,
     dot,
-    mapped,
+    map_vectors,
     plus,
     split,
     times,
@@ -84,14 +84,14 @@ class RotaryPair:
     def of(a1: Floats, a2: Floats) -> RotaryPair:
         """Return the pair with unit directions ``a1``, ``a2`` (3,); they must not be parallel, nor a2
         parallel to ez."""
-        cos_b, towards = _cleaned(float(a2[2])), _cleaned(float(a1 @ a2) * float(a2[2]))
+        cos_b, towards = _clean_value(float(a2[2])), _clean_value(float(a1 @ a2) * float(a2[2]))
         sign = -1.0 if towards < 0.0 or (towards == 0.0 and a1[2] < -TINY) else 1.0
         p = sign * a1
-        cos_g = _cleaned(float(p @ a2))
+        cos_g = _clean_value(float(p @ a2))
         sin_g, sin_b = float(np.linalg.norm(np.cross(p, a2))), float(np.hypot(a2[0], a2[1]))
         n = clean(np.asarray((a2 - cos_g * p) / sin_g, float))
         e = sin_g * p - cos_g * n  # across a2, towards the pole
-        cos_best, sin_best = _cleaned(e[2] / sin_b), _cleaned((a2[1] * e[0] - a2[0] * e[1]) / sin_b)
+        cos_best, sin_best = _clean_value(e[2] / sin_b), _clean_value((a2[1] * e[0] - a2[0] * e[1]) / sin_b)
         reach = sin_b * sin_g
         return RotaryPair(
             turn1=Turn.about(a1),
@@ -103,14 +103,14 @@ class RotaryPair:
             sin_best=sin_best,
             cos_g=cos_g,
             reach=reach,
-            near=_cleaned(cos_g * cos_b + reach - 1.0),
-            far=_cleaned(cos_g * cos_b - reach),
-            aside=_cleaned(sin_g * cos_b - cos_g * sin_b) / (2.0 * sin_b),
+            near=_clean_value(cos_g * cos_b + reach - 1.0),
+            far=_clean_value(cos_g * cos_b - reach),
+            aside=_clean_value(sin_g * cos_b - cos_g * sin_b) / (2.0 * sin_b),
             straight=cos_g == 0.0 and cos_b == 0.0,
         )
 
 
-def _cleaned(value: float) -> float:
+def _clean_value(value: float) -> float:
     return 0.0 if abs(value) < TINY else float(value)
 
 
@@ -119,7 +119,9 @@ def poses(k: RotaryPair, axis: Floats) -> tuple[Floats, list[Pose]]:
     with np.errstate(invalid="ignore", divide="ignore"):
         x, y, z = split(axis)
         length = np.sqrt(x * x + y * y + z * z)
-        n, t, p = (np.asarray(column) for column in mapped(k.frame, (x / length, y / length, z / length)))
+        n, t, p = (
+            np.asarray(column) for column in map_vectors(k.frame, (x / length, y / length, z / length))
+        )
         across = np.sqrt(n * n + t * t)
         if k.straight:
             half, delta, cos, sin = None, np.arctan2(across, p), p, across

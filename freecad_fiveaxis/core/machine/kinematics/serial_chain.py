@@ -24,19 +24,19 @@ from freecad_fiveaxis.core.base.columns import (
     Column,
     Columns,
     Matrix,
-    added,
+    add_vectors,
     clean,
     cos_sin,
-    crossed,
+    cross_vectors,
     empty_rows,
     less,
-    mapped,
+    map_vectors,
     put,
     scalar,
     split,
 )
 from freecad_fiveaxis.core.base.errors import MachineError
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.records import Bytes, Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import Axis, Machine, Vector
@@ -112,7 +112,7 @@ def chain(machine: Machine, setup: Setup) -> Chain:
     )
 
 
-def raised(kinematics: Chain, lift: Floats) -> Chain:
+def raise_chain(kinematics: Chain, lift: Floats) -> Chain:
     """Return the chain whose driven point stands ``lift`` (3,) mm, in words X Y Z, above that of
     ``kinematics`` and turns with the tool: its words are those of ``kinematics`` and ``lift``."""
     moves, slot = lift[:, None] * kinematics.direction[:3], np.array(kinematics.slot)
@@ -128,7 +128,7 @@ def raised(kinematics: Chain, lift: Floats) -> Chain:
 def lift_of(kinematics: Chain, height: float, decimals: int) -> Floats:
     """Return the linear words (3,) mm that move the tool ``height`` mm along its axis where both rotary words
     are zero, rounded to ``decimals``: added to rounded words they give rounded words."""
-    return rounded(
+    return round_as_printed(
         np.asarray(np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, height)), float), decimals
     )
 
@@ -164,7 +164,7 @@ def forward(kinematics: Chain, q: Floats) -> tuple[Floats, Floats]:
     def fill(rows: slice) -> None:
         *words, q1, q2 = split(q[rows])
         turns = _turns(q1, q2)
-        put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], turns))
+        put(tip[rows], _tip(k, [map_vectors(matrix, words) for matrix in k.sums], turns))
         put(axis[rows], k.pair.turn1.of(k.pair.turn2.of_ez(turns[2], turns[3]), turns[0], turns[1]))
 
     in_threads(fill, chunks(len(q)))
@@ -178,7 +178,7 @@ def forward_tip(kinematics: Chain, q: Floats) -> Floats:
 
     def fill(rows: slice) -> None:
         *words, q1, q2 = split(q[rows])
-        put(tip[rows], _tip(k, [mapped(matrix, words) for matrix in k.sums], _turns(q1, q2)))
+        put(tip[rows], _tip(k, [map_vectors(matrix, words) for matrix in k.sums], _turns(q1, q2)))
 
     in_threads(fill, chunks(len(q)))
     return tip
@@ -251,15 +251,15 @@ def branch_of(kinematics: Chain, second: Floats) -> Bytes:
 
 def q_to_words(q: Floats) -> Floats:
     """Words (..., 5) in mm and degrees from q (..., 5) in mm and rad."""
-    return _rescaled(q, 180.0 / np.pi)
+    return _rescale_words(q, 180.0 / np.pi)
 
 
 def words_to_q(words: Floats) -> Floats:
     """q (..., 5) in mm and rad from words (..., 5) in mm and degrees."""
-    return _rescaled(words, np.pi / 180.0)
+    return _rescale_words(words, np.pi / 180.0)
 
 
-def _rescaled(values: Floats, factor: float) -> Floats:
+def _rescale_words(values: Floats, factor: float) -> Floats:
     copy = np.array(values, float, order="K")
     copy[..., 3:] *= factor
     return copy
@@ -309,9 +309,9 @@ def _turns(q1: Floats, q2: Floats) -> Turns:
 def _tip(k: _Constants, sums: list[list[Column]], turns: Turns) -> list[Column]:
     """``L0 + T1(L1 + T2(L2))``."""
     cos1, sin1, cos2, sin2 = turns
-    point = added(k.point2, k.pair.turn2.of(less(sums[2], k.point2), cos2, sin2))
-    point = added(k.point1, k.pair.turn1.of(less(added(sums[1], point), k.point1), cos1, sin1))
-    return added(sums[0], point)
+    point = add_vectors(k.point2, k.pair.turn2.of(less(sums[2], k.point2), cos2, sin2))
+    point = add_vectors(k.point1, k.pair.turn1.of(less(add_vectors(sums[1], point), k.point1), cos1, sin1))
+    return add_vectors(sums[0], point)
 
 
 def _linear(kinematics: Chain, k: _Constants, place: Columns, turns: Turns) -> list[Column]:
@@ -319,27 +319,27 @@ def _linear(kinematics: Chain, k: _Constants, place: Columns, turns: Turns) -> l
     cos1, sin1, cos2, sin2 = turns
     rest = less(place, _tip(k, [[0.0] * 3] * 3, turns))
     if len(set(kinematics.slot)) > 1:
-        return _solved(kinematics, k, rest, turns)
+        return _solve_linear_words(kinematics, k, rest, turns)
     if kinematics.slot[0] > 0:
         rest = k.pair.turn1.of(rest, cos1, -sin1)
     if kinematics.slot[0] > 1:
         rest = k.pair.turn2.of(rest, cos2, -sin2)
-    return mapped(k.words, rest)
+    return map_vectors(k.words, rest)
 
 
-def _solved(kinematics: Chain, k: _Constants, rest: Columns, turns: Turns) -> list[Column]:
+def _solve_linear_words(kinematics: Chain, k: _Constants, rest: Columns, turns: Turns) -> list[Column]:
     """Linear axes on different sides of a rotary one: Cramer's rule on their directions as they stand in each
     row."""
     x, y, z = (
-        _carried(k, cast("list[float]", kinematics.direction[j].tolist()), kinematics.slot[j], turns)
+        _carry_direction(k, cast("list[float]", kinematics.direction[j].tolist()), kinematics.slot[j], turns)
         for j in range(3)
     )
-    volume = np.asarray(scalar(x, crossed(y, z)))
+    volume = np.asarray(scalar(x, cross_vectors(y, z)))
     volume = np.where(np.abs(volume) < PARALLEL, np.nan, volume)
-    return [scalar(rest, crossed(a, b)) / volume for a, b in ((y, z), (z, x), (x, y))]
+    return [scalar(rest, cross_vectors(a, b)) / volume for a, b in ((y, z), (z, x), (x, y))]
 
 
-def _carried(k: _Constants, direction: Columns, slot: int, turns: Turns) -> Columns:
+def _carry_direction(k: _Constants, direction: Columns, slot: int, turns: Turns) -> Columns:
     cos1, sin1, cos2, sin2 = turns
     if slot > 1:
         direction = k.pair.turn2.of(direction, cos2, sin2)

@@ -91,18 +91,18 @@ def swing(frame: Frames, move: Motion) -> Floats:
         samples = FEWEST_SAMPLES << doubling
         rows = np.flatnonzero(doublings == doubling)
         for part in np.array_split(rows, -(-len(rows) * samples // CELLS)):
-            result[part] = _sampled(frame, move.take(part), samples)
+            result[part] = _sample_swing(frame, move.take(part), samples)
     return result
 
 
-def _sampled(frame: Frames, move: Motion, samples: int) -> Floats:
+def _sample_swing(frame: Frames, move: Motion, samples: int) -> Floats:
     start, end = (axis(frame, at(move, np.full_like(move.a, u))) for u in (0.0, 1.0))
     normal, none = _normal(start, end)
     u = np.arange(1, samples)[:, None] / samples
     height = dot(axis(frame, at(move, u)), normal)
     best = np.argmax(np.where(none, -height, np.abs(height)), axis=0)
     best_u = u[best, 0]
-    peak = _polished(frame, move, normal, best_u, 1.0 / samples)
+    peak = _polish_peaks(frame, move, normal, best_u, 1.0 / samples)
     swings = []
     for at_u in (best_u, peak):
         k = axis(frame, at(move, at_u))
@@ -110,7 +110,7 @@ def _sampled(frame: Frames, move: Motion, samples: int) -> Floats:
     return np.maximum(swings[0], swings[1])
 
 
-def _polished(frame: Frames, move: Motion, normal: Vectors, u: Floats, reach: float) -> Floats:
+def _polish_peaks(frame: Frames, move: Motion, normal: Vectors, u: Floats, reach: float) -> Floats:
     """u nearby where the axis is level with ``normal``'s plane for a moment, by Newton's method."""
     spin, low, high = axis_motion(frame, move), np.maximum(u - reach, 0.0), np.minimum(u + reach, 1.0)
     for _ in range(POLISH):

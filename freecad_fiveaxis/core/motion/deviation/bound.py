@@ -36,7 +36,7 @@ from freecad_fiveaxis.core.motion.trajectory import (
     Frames,
     Motion,
     Vectors,
-    checked_words,
+    check_words,
     derivatives,
     flat_length,
     frames,
@@ -172,7 +172,7 @@ def quick_bound(kinematics: Chain, words: ArrayLike) -> Floats:
     enough to see that a block is harmless. ``deviation.measure`` gives the close bound. Raises ProgramError
     for words that cannot be used.
     """
-    rows = checked_words(words)
+    rows = check_words(words)
     bound = np.zeros(len(rows))
     frame = frames(kinematics)
     for first in range(0, len(rows) - 1, CHUNK):

@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, lift_of, raised, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, lift_of, raise_chain, words_to_q
 from freecad_fiveaxis.core.motion.trajectory import (
     Frames,
     Motion,
@@ -40,8 +40,8 @@ from freecad_fiveaxis.core.motion.trajectory import (
     Vectors,
     at,
     axis,
-    chained_motion,
-    checked_words,
+    chain_motion,
+    check_words,
     flat_length,
     frames,
     inner,
@@ -54,7 +54,7 @@ from freecad_fiveaxis.core.motion.trajectory import (
 from . import so2008
 from .axis_swing import small_swing, swing
 from .bound import CHUNK, Levers, allowance, bending, close_levers, end_levers
-from .quartic import POINT, Chord, bow, chord, held_back, node_poses
+from .quartic import POINT, Chord, bow, chord, node_poses, subtract_chord_motion
 from .search import Chords, farthest
 
 SEARCHED = 2048
@@ -89,12 +89,12 @@ class Deviation:
     def __post_init__(self) -> None:
         freeze(self, None, line="f", u_line="f", segment="f", u_segment="f", bound="f", axis="f", place="f3")
 
-    def measured(self, kinematics: Chain, words: Floats) -> tuple[Chain, Floats]:
+    def raise_words(self, kinematics: Chain, words: Floats) -> tuple[Chain, Floats]:
         """Raise chain and ``words`` (n, 5) mm and degrees so that the tip of both is the point that was
         measured."""
         if not any(self.lift):
             return kinematics, words
-        return raised(kinematics, np.array(self.lift)), words + (*self.lift, 0.0, 0.0)
+        return raise_chain(kinematics, np.array(self.lift)), words + (*self.lift, 0.0, 0.0)
 
 
 METHODS = ("exact", "so2008", "so2008-printed")
@@ -110,7 +110,7 @@ def measure(
     ``so2008`` or ``so2008-printed`` for ``line`` and ``u_line`` by the model of So et al. (module
     ``so2008``); all else is exact. Distances are within 1e-5 of their value or 1e-6 mm; ``bound`` is no more
     than that above ``segment``, but for rounding. Raises ProgramError for words that cannot be used
-    (``trajectory.checked_words``), SettingsError for an unknown method.
+    (``trajectory.check_words``), SettingsError for an unknown method.
     """
     if method not in METHODS:
         raise SettingsError(
@@ -121,12 +121,12 @@ def measure(
             ),
             method,
         )
-    rows = checked_words(words)
-    result = _exact(frames(kinematics), rows, paced(progress))
+    rows = check_words(words)
+    result = _exact(frames(kinematics), rows, pace_progress(progress))
     if method == "exact":
         return result
     line, u_line, findings = so2008.line_deviation(
-        kinematics, rows, method == "so2008-printed", paced(progress)
+        kinematics, rows, method == "so2008-printed", pace_progress(progress)
     )
     return replace(result, line=line, u_line=u_line, findings=findings)
 
@@ -146,16 +146,16 @@ def measure_above(
     are. ``place`` (m, 3) mm is where the driven point stands when that one deviates most. Raises as
     :func:`measure`.
     """
-    rows = checked_words(words)
+    rows = check_words(words)
     lift = lift_of(kinematics, above, decimals)
     x, y, z = lift.tolist()
-    found = measure(raised(kinematics, lift), rows + np.append(lift, (0.0, 0.0)), method, progress)
+    found = measure(raise_chain(kinematics, lift), rows + np.append(lift, (0.0, 0.0)), method, progress)
     before = np.concatenate([rows[:1], rows[:-1]])
     place = forward_tip(kinematics, words_to_q(before + found.u_segment[:, None] * (rows - before)))
     return replace(found, place=place, lift=(x, y, z))
 
 
-def paced(progress: Progress) -> Progress:
+def pace_progress(progress: Progress) -> Progress:
     """``progress``, called no more often than every :data:`REPORT_EVERY` seconds, and at the end."""
     last = time.monotonic()
 
@@ -189,13 +189,13 @@ def _exact(frame: Frames, words: Floats, progress: Progress) -> Deviation:
     count = len(words)
     line, u_line, segment, u_segment, bound, angle = np.zeros((6, count))
     table = _Table(line, u_line, segment, u_segment, bound, angle, np.zeros((3, count)))
-    for part in _left_by(lambda rows: _fit(frame, words, rows, table), count, progress):
+    for part in _yield_left_rows(lambda rows: _fit(frame, words, rows, table), count, progress):
         _search(frame, words, part, table)
     columns = {name: value for name, value in vars(table).items() if name != "place"}
     return Deviation(**columns, place=table.place.T)
 
 
-def _left_by(fit: Callable[[slice], Ints], count: int, progress: Progress) -> Iterator[Ints]:
+def _yield_left_rows(fit: Callable[[slice], Ints], count: int, progress: Progress) -> Iterator[Ints]:
     """Call ``fit`` on slices of all blocks; yield the rows of those that it returns, enough at a time to be
     worth a search."""
     waiting: list[Ints] = []
@@ -212,7 +212,7 @@ def _left_by(fit: Callable[[slice], Ints], count: int, progress: Progress) -> It
 def _fit(frame: Frames, words: Floats, rows: slice, table: _Table) -> Ints:
     """Measure the blocks that end in these rows by quartics; returns the indices of those that need a
     search."""
-    move, poses = chained_motion(frame, words[rows.start - 1 : rows.stop])
+    move, poses = chain_motion(frame, words[rows.start - 1 : rows.stop])
     way, nodes, levers = _five_points(frame, move, poses)
     found = bow(way, np.array(tip(frame, nodes)), levers)
     table.put(rows, line=found.distance, u_line=found.u, segment=found.distance, u_segment=found.u)
@@ -235,7 +235,7 @@ def _search(frame: Frames, words: Floats, rows: Ints, table: _Table) -> None:
     """Measure the blocks that end in these rows by search."""
     move = motion(frame, words[rows - 1], words[rows])
     way, zero, endless = _chord_of(frame, move), np.zeros(len(rows)), np.full(len(rows), np.inf)
-    seen = held_back(move, way, way.length <= POINT)
+    seen = subtract_chord_motion(move, way, way.length <= POINT)
     twice = _chords(frame, seen, way, zero, way.length).take(np.tile(np.arange(len(rows)), 2))
     low, high = np.concatenate([-endless, zero]), np.concatenate([endless, way.length])
     distance, at_u, proven = farthest(frame, replace(twice, low=low, high=high))
@@ -271,22 +271,22 @@ def same_u_deviation(
 
     ``words`` (m, 5) mm and **degrees**. It is never less than the segment deviation, and accurate like that.
     """
-    rows, frame = checked_words(words), frames(kinematics)
+    rows, frame = check_words(words), frames(kinematics)
     distance, at_u = np.zeros((2, len(rows)))
 
     def fit(part: slice) -> Ints:
-        move, poses = chained_motion(frame, rows[part.start - 1 : part.stop])
+        move, poses = chain_motion(frame, rows[part.start - 1 : part.stop])
         way, nodes, levers = _five_points(frame, move, poses)
         found = bow(replace(way, along=np.zeros_like(way.along)), np.array(tip(frame, nodes)), levers)
         distance[part], at_u[part] = found.distance, found.u
         return np.flatnonzero(~found.proven)
 
-    for part in _left_by(fit, len(rows), paced(progress)):
+    for part in _yield_left_rows(fit, len(rows), pace_progress(progress)):
         move = motion(frame, rows[part - 1], rows[part])
         way = _chord_of(frame, move)
         zero = np.zeros_like(way.length)
         still = replace(way, along=np.zeros_like(way.along))
-        seen = held_back(move, way, np.ones(len(part), np.bool_))
+        seen = subtract_chord_motion(move, way, np.ones(len(part), np.bool_))
         distance[part], at_u[part], _ = farthest(frame, _chords(frame, seen, still, zero, zero))
     return distance, at_u
 

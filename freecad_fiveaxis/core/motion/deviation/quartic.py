@@ -28,7 +28,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.motion.trajectory import Motion, Pose, turned
+from freecad_fiveaxis.core.motion.trajectory import Motion, Pose, turn_vector
 
 from .bound import ABSOLUTE, RELATIVE, Levers, bending
 
@@ -89,7 +89,7 @@ def chord(start: Floats, end: Floats) -> Chord:
     return Chord(start, vector, vector * ((length > POINT) / np.maximum(length, POINT)), length)
 
 
-def held_back(move: Motion, way: Chord, blocks: Bools) -> Motion:
+def subtract_chord_motion(move: Motion, way: Chord, blocks: Bools) -> Motion:
     """Return the motion, in these ``blocks`` (n,) less the even motion along their chords: the path then
     begins and ends at the chord's start, and is as far from it as the real path is from the chord's point of
     the same u."""
@@ -104,16 +104,16 @@ def node_poses(move: Motion, rows: Pose) -> Pose:
     arm = tuple(
         p if p.ndim == 0 else p + NODES * step for p, step in zip(move.arm, move.arm_step, strict=True)
     )
-    cos_a, sin_a = _added(rows.cos_a[:-1], rows.sin_a[:-1], move.a_step)
-    cos_b, sin_b = _added(rows.cos_b[:-1], rows.sin_b[:-1], move.b_step)
+    cos_a, sin_a = _add_quarters(rows.cos_a[:-1], rows.sin_a[:-1], move.a_step)
+    cos_b, sin_b = _add_quarters(rows.cos_b[:-1], rows.sin_b[:-1], move.b_step)
     return Pose(arm, cos_a, sin_a, cos_b, sin_b)
 
 
-def _added(cos: Floats, sin: Floats, step: Floats) -> tuple[Floats, Floats]:
+def _add_quarters(cos: Floats, sin: Floats, step: Floats) -> tuple[Floats, Floats]:
     quarter_cos, quarter_sin = np.cos(0.25 * step), np.sin(0.25 * step)
     cosines, sines = np.empty((3, len(step))), np.empty((3, len(step)))
     for node in range(3):
-        cos, sin = turned(cos, sin, quarter_cos, quarter_sin)
+        cos, sin = turn_vector(cos, sin, quarter_cos, quarter_sin)
         cosines[node], sines[node] = cos, sin
     return cosines, sines
 

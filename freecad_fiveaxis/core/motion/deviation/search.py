@@ -71,7 +71,9 @@ class Chords:
     def take(self, rows: Ints) -> Chords:
         """Return the chords of some blocks; an index may come more than once."""
         columns = (column[rows] for column in (self.low, self.high, self.second, self.third, self.turn))
-        return Chords(self.move.take(rows), _taken(self.origin, rows), _taken(self.along, rows), *columns)
+        return Chords(
+            self.move.take(rows), _take_rows(self.origin, rows), _take_rows(self.along, rows), *columns
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +125,7 @@ def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
         _improve(best, best_u, pieces.block, pieces.centre, here.square)
         _try_peaks(frame, chords, pieces, here, best, best_u)
         keep = np.flatnonzero(here.bound > _proven(best)[pieces.block] ** 2)
-        waiting += [_halved(pieces, keep)] if len(keep) else []
+        waiting += [_halve_pieces(pieces, keep)] if len(keep) else []
     _polish(frame, chords, best, best_u)
     return best, best_u
 
@@ -145,7 +147,7 @@ def _first_pieces(turn: Floats) -> _Pieces:
     return _Pieces(block, (2 * index + 1) * half, half)
 
 
-def _halved(pieces: _Pieces, keep: Ints) -> _Pieces:
+def _halve_pieces(pieces: _Pieces, keep: Ints) -> _Pieces:
     block, centre, half = (
         np.repeat(pieces.block[keep], 2),
         np.repeat(pieces.centre[keep], 2),
@@ -196,14 +198,14 @@ def _polish(frame: Frames, chords: Chords, best: Floats, best_u: Floats) -> None
 
 def _split(path: Vectors, chords: Chords, block: Ints) -> tuple[Floats, Vectors, Floats]:
     """Position along the chord, the part across it, and how far the first lies outside the chord (signed)."""
-    e = _taken(chords.along, block)
-    x0, x1, x2 = (p - o for p, o in zip(path, _taken(chords.origin, block), strict=True))
+    e = _take_rows(chords.along, block)
+    x0, x1, x2 = (p - o for p, o in zip(path, _take_rows(chords.origin, block), strict=True))
     along = dot((x0, x1, x2), e)
     across = (x0 - along * e[0], x1 - along * e[1], x2 - along * e[2])
     return along, across, along - np.clip(along, chords.low[block], chords.high[block])
 
 
-def _taken(vector: Vectors, block: Ints) -> Vectors:
+def _take_rows(vector: Vectors, block: Ints) -> Vectors:
     x, y, z = (column[block] for column in vector)
     return x, y, z
 
@@ -211,7 +213,7 @@ def _taken(vector: Vectors, block: Ints) -> Vectors:
 def _local(frame: Frames, chords: Chords, pieces: _Pieces) -> _Local:
     block, half = pieces.block, pieces.half
     path, first, bend = derivatives(frame, chords.move.take(block), pieces.centre)
-    e, second, third = _taken(chords.along, block), chords.second[block], chords.third[block]
+    e, second, third = _take_rows(chords.along, block), chords.second[block], chords.third[block]
     along, y, over = _split(path, chords, block)
     pace = dot(first, e)
     across = (first[0] - pace * e[0], first[1] - pace * e[1], first[2] - pace * e[2])

@@ -43,7 +43,7 @@ from freecad_fiveaxis.core.motion.trajectory import (
     Pose,
     Vectors,
     at,
-    chained_motion,
+    chain_motion,
     frames,
     inner,
     outer,
@@ -92,7 +92,7 @@ def line_deviation(
     line, u_line, rootless = np.zeros(count), np.zeros(count), 0
     for first in range(0, count - 1, CHUNK):
         last = min(first + CHUNK, count - 1)
-        move, poses = chained_motion(frame, words[first : last + 1])
+        move, poses = chain_motion(frame, words[first : last + 1])
         candidates, valid = _candidates(frame, move, poses, printed)
         line[first + 1 : last + 1], u_line[first + 1 : last + 1] = _farthest(
             frame, move, poses, candidates, valid
@@ -106,7 +106,7 @@ def model_tip(kinematics: Chain, words: Floats, u: Floats) -> Floats:
     """Eq. (3) at ``u`` (k,) of every block: (m - 1, k, 3) mm, work frame. ``words`` (m, 5) mm and
     **degrees**."""
     frame = frames(kinematics)
-    move, poses = chained_motion(frame, words)
+    move, poses = chain_motion(frame, words)
     m0, slope, z = _linear_inner(inner(frame, poses))
     s = [p[:, None] + u * step[:, None] for p, step in zip(*_wide(move), strict=True)]
     flat = np.exp(1j * (move.a[:, None] + u * move.a_step[:, None])) * (m0[:, None] + u * slope[:, None])

@@ -132,7 +132,7 @@ def broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) 
     return broken & cutting
 
 
-def _limited(low: float, high: float) -> bool:
+def _is_limited(low: float, high: float) -> bool:
     """Return a word that is limited on one side only can always be brought inside by whole turns."""
     return math.isfinite(low) and math.isfinite(high)
 
@@ -156,7 +156,7 @@ def _window(low: Floats, high: Floats, wraps: list[bool]) -> tuple[Floats, Float
 
 
 def _windings(low: float, high: float) -> int:
-    return int((high - low + 2 * SLACK) // TURN) + 1 if _limited(low, high) else 1
+    return int((high - low + 2 * SLACK) // TURN) + 1 if _is_limited(low, high) else 1
 
 
 def _fitting_turns(word: Floats, low: float, high: float) -> float:

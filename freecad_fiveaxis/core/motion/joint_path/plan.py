@@ -22,13 +22,13 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.codes import Code
-from freecad_fiveaxis.core.base.columns import Matrix, mapped, split
+from freecad_fiveaxis.core.base.columns import Matrix, map_vectors, split
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Point, say
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, inverse_axis, joint_words
 from freecad_fiveaxis.core.tool.body import Body, Piece
 from freecad_fiveaxis.core.toolpath.cl_path import SAFE_MARGIN, CLPath, Motion
@@ -99,7 +99,7 @@ def solve(
         )
     if len(path.tip) == 0:
         return JointPath(path, np.empty(0, np.int64), np.empty((0, 5)), np.empty(0, np.int8), np.empty(0))
-    path = _begun_by_rapid(path)
+    path = _begin_by_rapid(path)
     pole, crossing = _near_pole(path.axis, kinematics.direction[3])
     angles = _angles(kinematics, path.axis, pole)
     fits = _reachable(kinematics, path, angles, pole)
@@ -130,7 +130,7 @@ def _above(path: CLPath, height: float) -> Bools:
     return np.asarray((path.motion[1:] == Motion.RAPID) & high[1:] & high[:-1])
 
 
-def _begun_by_rapid(path: CLPath) -> CLPath:
+def _begin_by_rapid(path: CLPath) -> CLPath:
     """Where the machine comes from is not known, so the first position counts as reached by a rapid."""
     if path.motion[0] == Motion.RAPID:
         return path
@@ -152,7 +152,9 @@ def _near_pole(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
     pole, crossing = np.empty(len(axis), bool), np.empty(len(axis) - 1, bool)
 
     def fill(rows: slice) -> None:
-        x, y, z = (np.asarray(column) for column in mapped(frame, split(axis[rows.start : rows.stop + 1])))
+        x, y, z = (
+            np.asarray(column) for column in map_vectors(frame, split(axis[rows.start : rows.stop + 1]))
+        )
         square = x * x + y * y
         pole[rows] = square[: rows.stop - rows.start] <= POLE_ANGLE**2
         near = square <= math.sin(CROSSING_ANGLE) ** 2
@@ -204,7 +206,9 @@ def _reachable(kinematics: Chain, path: CLPath, angles: Floats, pole: Bools) -> 
         )  # a pole row only shares the fate of its neighbour
         x, y, z = path.tip[lost[0]]
         i, j, k = path.axis[lost[0]]
-        letters = "".join(kinematics.letters[column] for column in fitted_columns(kinematics.letters)[3:])
+        letters = "".join(
+            kinematics.letters[column] for column in find_physical_columns(kinematics.letters)[3:]
+        )
         if len(letters) < 2:
             text = _too_few_axes(letters, len(lost), len(path.tip), path.tip[lost[0]], path.axis[lost[0]])
             raise ReachError(text, (float(i), float(j), float(k)))

@@ -111,7 +111,7 @@ def insert_rewinds(
     at = np.broadcast_to(breaks[:, None] + 1, keep.shape)
     uncut = np.linalg.norm(enter.tip - leave.tip, axis=1)
     longer = insert_rows(
-        _entered_by_link(drive, breaks, enter),
+        _enter_by_link(drive, breaks, enter),
         kinematics,
         at[keep],
         tip[keep],
@@ -216,7 +216,7 @@ def _way_round(
     return tip, needed
 
 
-def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
+def _enter_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
     """Where the new words begin at the step's end only, the row there is reached by the re-engaging link
     itself."""
     whole = enter.share >= 1.0 - SAME_PLACE

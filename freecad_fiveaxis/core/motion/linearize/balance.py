@@ -29,7 +29,7 @@ def first_rows(count: Ints) -> Ints:
     return np.asarray(np.cumsum(count + 1) - (count + 1))
 
 
-def balanced_shares(
+def balance_shares(
     share: Floats, load: Floats, before: Ints, calm: Bools, blocks: Ints, after: Ints
 ) -> Floats:
     """Return the shares of all rows of the ``blocks``, in ``after`` pieces of even load.
@@ -38,7 +38,7 @@ def balanced_shares(
     loads differ by the noise of rounding, which is taken off; ``blocks`` (g,) that go on.
     """
     first, block = first_rows(before), np.repeat(np.arange(len(before)), before + 1)
-    load = np.where(calm[block], _calmed(load, block), load)
+    load = np.where(calm[block], _calm_load(load, block), load)
     load = np.where(
         (np.add.reduceat(load, first) == 0.0)[block] & ~_ends(block), 1.0, load
     )  # straight blocks: no load at all
@@ -57,7 +57,7 @@ def _ends(block: Ints) -> Bools:
     return np.append(block[1:] != block[:-1], True)
 
 
-def _calmed(load: Floats, block: Ints) -> Floats:
+def _calm_load(load: Floats, block: Ints) -> Floats:
     """Each piece lends a quarter of what it has more to its neighbour in the block."""
     ends = _ends(block)
     lend = np.where(ends[1:] | ends[:-1], 0.0, 0.25 * np.diff(load))

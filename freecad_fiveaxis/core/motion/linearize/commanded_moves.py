@@ -29,7 +29,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import slerp
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, forward, inverse_axis, joint_words
@@ -87,18 +87,18 @@ class CommandedMoves:
         return CommandedMoves(*(column[rows] for column in vars(self).values()))
 
 
-def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -> Floats:
+def place_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -> Floats:
     """Return rounded words (n, 5), mm and **degrees**, that put the tip (n, 3) mm in place at rotary words
     ``angles`` (n, 2) rad.
 
     NaN linear words where the linear axes lie in a plane.
     """
-    degrees = rounded(np.degrees(angles), steps.rotary)
+    degrees = round_as_printed(np.degrees(angles), steps.rotary)
     linear = joint_words(kinematics, tip, np.deg2rad(degrees))[:, :3]
-    return np.concatenate([rounded(linear, steps.linear), degrees], axis=1)
+    return np.concatenate([round_as_printed(linear, steps.linear), degrees], axis=1)
 
 
-def commanded_moves(
+def compute_commanded_moves(
     kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints
 ) -> CommandedMoves:
     """Return the moves of the blocks that end in ``rows`` (b,).
@@ -152,7 +152,7 @@ def follow(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats, s
     """Return rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the move ``block`` (r,); the
     block's own at its ends."""
     tip = way.tip[block] + share[:, None] * way.chord[block]
-    words = placed_words(kinematics, tip, _angles(kinematics, way, block, share), steps)
+    words = place_words(kinematics, tip, _angles(kinematics, way, block, share), steps)
     for end, own in ((0.0, way.first), (1.0, way.last)):
         rows = np.flatnonzero(share == end)
         words[rows] = own[block[rows]]

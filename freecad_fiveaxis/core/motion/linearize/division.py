@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.trajectory import frames
 
-from .balance import balanced_shares, even_shares, first_rows
+from .balance import balance_shares, even_shares, first_rows
 from .commanded_moves import CommandedMoves, Steps, follow
 from .proof import judge_pieces, off_segment
 
@@ -68,7 +68,7 @@ class Divided:
     held: Floats
     doubt: Bools
 
-    def taken(self, blocks: Ints) -> Divided:
+    def take(self, blocks: Ints) -> Divided:
         """Return the division of some blocks, ascending."""
         rows = np.flatnonzero(np.isin(np.repeat(np.arange(len(self.count)), self.count - 1), blocks))
         goal, held = self.goal[blocks], self.held[blocks]
@@ -164,7 +164,7 @@ def divide(
     share, chosen = even_shares(count), np.full(size, -1)
     goal, held, doubt, records = np.full(size, np.inf), np.full(size, np.inf), np.zeros(size, bool), []
     for round_ in range(ROUNDS):
-        trial = _tried(kinematics, way, state, share, steps)
+        trial = _try_division(kinematics, way, state, share, steps)
         good = trial.worst <= state.goal
         chosen[state.row[good]], goal[state.row[good]], held[state.row[good]] = (
             round_,
@@ -177,12 +177,14 @@ def divide(
         if not len(going):
             break
         calm = (state.tries + state.stuck > 0) & (state.count > FEW)
-        share = balanced_shares(trial.share, trial.load, before, calm, going, state.count[going])
+        share = balance_shares(trial.share, trial.load, before, calm, going, state.count[going])
         state = state.take(going)
-    return _gathered(records, chosen, goal, held, doubt)
+    return _gather_rounds(records, chosen, goal, held, doubt)
 
 
-def _tried(kinematics: Chain, way: CommandedMoves, state: _State, share: Floats, steps: Steps) -> _Trial:
+def _try_division(
+    kinematics: Chain, way: CommandedMoves, state: _State, share: Floats, steps: Steps
+) -> _Trial:
     frame, first = frames(kinematics), first_rows(state.count)
     block = np.repeat(np.arange(len(first)), state.count + 1)
     at, piece, inside = state.row[block], block[1:], block[1:] == block[:-1]
@@ -266,7 +268,7 @@ def _record(trial: _Trial, row: Ints, good: Bools, round_: int) -> _Record:
     return np.full(len(inner), round_), row[trial.block[inner]], trial.share[inner], trial.words[inner]
 
 
-def _gathered(records: list[_Record], chosen: Ints, goal: Floats, held: Floats, doubt: Bools) -> Divided:
+def _gather_rounds(records: list[_Record], chosen: Ints, goal: Floats, held: Floats, doubt: Bools) -> Divided:
     """Of each block the rows of the round that was ``chosen`` last."""
     round_, row, share, words = (np.concatenate(parts) for parts in zip(*records, strict=True))
     last = np.flatnonzero(chosen[row] == round_)

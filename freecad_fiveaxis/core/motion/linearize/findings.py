@@ -40,7 +40,7 @@ class Outcome:
     even: Bools
 
 
-def found(
+def report_division(
     kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps, tolerance: float
 ) -> tuple[Finding, ...]:
     """Return the findings of a division: ``words`` (k, 5) of the divided path, mm and degrees, ``new`` its

@@ -31,7 +31,7 @@ the last."""
 def promising(pieces: Divided, blocks: Ints) -> Ints:
     """Those of the ``blocks``, ascending, of which halving may make fewer pieces: counted on the load, which
     the balanced pieces share evenly, and so without any judging."""
-    here = pieces.taken(blocks)
+    here = pieces.take(blocks)
     own = np.repeat(np.arange(len(blocks)), here.count - 1)
     first = np.cumsum(here.count) - here.count
     at = np.concatenate([own + 0.5 * here.share, np.arange(len(blocks)), np.arange(len(blocks)) + 0.5])
@@ -57,7 +57,7 @@ def promising(pieces: Divided, blocks: Ints) -> Ints:
     return blocks[count < here.count]
 
 
-def halved(kinematics: Chain, way: CommandedMoves, limit: Ints, goal: Floats, steps: Steps) -> Divided:
+def halve_blocks(kinematics: Chain, way: CommandedMoves, limit: Ints, goal: Floats, steps: Steps) -> Divided:
     """Halve blocks until all pieces hold their ``goal`` (b,) mm; those that would take ``limit`` (b,) pieces
     or more are left whole, with an infinite goal."""
     size, frame = len(limit), frames(kinematics)
@@ -83,10 +83,10 @@ def halved(kinematics: Chain, way: CommandedMoves, limit: Ints, goal: Floats, st
             break
     count[block] = limit[block]
     whole = count >= limit
-    return _gathered(records, whole, np.where(whole, np.inf, goal), np.where(whole, np.inf, held))
+    return _gather_pieces(records, whole, np.where(whole, np.inf, goal), np.where(whole, np.inf, held))
 
 
-def _gathered(
+def _gather_pieces(
     records: list[tuple[Ints, Floats, Floats]], whole: Bools, goal: Floats, held: Floats
 ) -> Divided:
     row, share, words = (np.concatenate(parts) for parts in zip(*records, strict=True))

@@ -11,7 +11,7 @@ Feed blocks are divided, rapids never. What is within the tolerance stays one bl
 
 above     what makes the surface is not the tip: where the axis swings while the tip runs straight, a ball's
           centre bulges off. A path can so be divided by a point above the tip: it is led by the chain whose
-          driven point that is (``raised``), and the words are shifted back.
+          driven point that is (``raise_chain``), and the words are shifted back.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, say
@@ -38,18 +38,18 @@ from freecad_fiveaxis.core.machine.kinematics import (
     forward,
     forward_tip,
     lift_of,
-    raised,
+    raise_chain,
     words_to_q,
 )
 from freecad_fiveaxis.core.motion.deviation import quick_bound
 from freecad_fiveaxis.core.motion.joint_path import JointPath
-from freecad_fiveaxis.core.motion.trajectory import checked_words, frames
+from freecad_fiveaxis.core.motion.trajectory import check_words, frames
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .commanded_moves import CommandedMoves, Steps, commanded_moves, most_off, placed_words, tool_axis
+from .commanded_moves import CommandedMoves, Steps, compute_commanded_moves, most_off, place_words, tool_axis
 from .division import Divided, divide
-from .findings import Outcome, found
-from .halving import halved, promising
+from .findings import Outcome, report_division
+from .halving import halve_blocks, promising
 from .proof import judge_pieces, off_points
 
 CHUNK = 8192
@@ -89,22 +89,22 @@ def linearize(
     steps = Steps(dialect.linear_decimals, dialect.rotary_decimals)
     feeds = joints.path.motion != Motion.RAPID
     rows = np.flatnonzero((feeds if wanted is None else feeds & wanted)[1:]) + 1
-    way = _divided_above(joints, kinematics, above, rows, tolerance, steps, progress)
+    way = _divide_above(joints, kinematics, above, rows, tolerance, steps, progress)
     q = words_to_q(way.words)
     pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     sine = np.asarray(pair.reach * np.abs(np.sin(q[:, 4] - pair.best)))
     branch = joints.branch[way.row].copy()
     branch[way.new] = branch_of(kinematics, q[way.new, 4])
     findings = (
-        *_moved(joints.findings, way),
-        *found(kinematics, way.outcome, way.words, way.new, steps, tolerance),
+        *_move_findings(joints.findings, way),
+        *report_division(kinematics, way.outcome, way.words, way.new, steps, tolerance),
     )
     return JointPath(
         _longer(joints.path, way, above), joints.row[way.row], q, branch, sine, findings, joints.rewinds
     )
 
 
-def _divided_above(
+def _divide_above(
     joints: JointPath,
     kinematics: Chain,
     above: float,
@@ -117,14 +117,14 @@ def _divided_above(
     those of the driven point. Its lift is rounded as the words are, so that none of them is rounded twice."""
     if above == 0.0:
         tip, angles = joints.path.tip, joints.q[:, 3:]
-        words = placed_words(kinematics, tip, angles, steps)
-        return _divided(kinematics, tip, angles, words, rows, tolerance, steps, progress)
+        words = place_words(kinematics, tip, angles, steps)
+        return _divide_blocks(kinematics, tip, angles, words, rows, tolerance, steps, progress)
     lift = lift_of(kinematics, above, steps.linear)
-    upper, q = raised(kinematics, lift), joints.q + np.append(lift, (0.0, 0.0))
+    upper, q = raise_chain(kinematics, lift), joints.q + np.append(lift, (0.0, 0.0))
     tip = forward_tip(upper, q)
-    words = placed_words(upper, tip, q[:, 3:], steps)
-    way = _divided(upper, tip, q[:, 3:], words, rows, tolerance, steps, progress)
-    linear = rounded(way.words[:, :3] - lift, steps.linear)
+    words = place_words(upper, tip, q[:, 3:], steps)
+    way = _divide_blocks(upper, tip, q[:, 3:], words, rows, tolerance, steps, progress)
+    linear = round_as_printed(way.words[:, :3] - lift, steps.linear)
     return replace(way, words=np.concatenate([linear, way.words[:, 3:]], axis=1))
 
 
@@ -142,14 +142,16 @@ def linearize_words(
     SettingsError for a tolerance that is no number above 0.
     """
     _check(tolerance)
-    rows, steps = checked_words(words), Steps(*decimals)
+    rows, steps = check_words(words), Steps(*decimals)
     q = words_to_q(rows)
     tip = forward(kinematics, q)[0]
-    grid = np.stack([rounded(rows[:, k], steps.linear if k < 3 else steps.rotary) for k in range(5)], axis=1)
-    placed = placed_words(kinematics, tip, q[:, 3:], steps)
+    grid = np.stack(
+        [round_as_printed(rows[:, k], steps.linear if k < 3 else steps.rotary) for k in range(5)], axis=1
+    )
+    placed = place_words(kinematics, tip, q[:, 3:], steps)
     stay = np.any(np.isnan(placed), axis=1) | np.all(np.abs(grid - rows) < SAME_WORD, axis=1)
     feed = np.flatnonzero(np.ones(len(rows), bool) if feeds is None else feeds)
-    way = _divided(
+    way = _divide_blocks(
         kinematics,
         tip,
         q[:, 3:],
@@ -159,7 +161,7 @@ def linearize_words(
         steps,
         progress,
     )
-    return way.words, way.row, found(kinematics, way.outcome, way.words, way.new, steps, tolerance)
+    return way.words, way.row, report_division(kinematics, way.outcome, way.words, way.new, steps, tolerance)
 
 
 SAME_WORD = 1e-9
@@ -191,7 +193,7 @@ class _Way:
     outcome: Outcome
 
 
-def _divided(
+def _divide_blocks(
     kinematics: Chain,
     tip: Floats,
     angles: Floats,
@@ -212,7 +214,7 @@ def _divided(
     for part in np.split(todo, np.flatnonzero(np.diff(load)) + 1) if len(todo) else []:
         progress("linearize", float(part[0]) / len(over))
         limit = (LIMIT_SPARE + LIMIT_FACTOR * np.sqrt(bound[part] / tolerance)).astype(np.int64)
-        way = commanded_moves(kinematics, tip, angles, words, over[part])
+        way = compute_commanded_moves(kinematics, tip, angles, words, over[part])
         divided, even[part] = _of_portion(kinematics, way, deviation[part], limit, tolerance, steps)
         count[part], held[part] = divided.pieces.count, divided.pieces.held
         parts.append(divided)
@@ -265,9 +267,9 @@ def _of_portion(
         )
     doubt = promising(pieces, np.flatnonzero(pieces.doubt)) if pieces.doubt.any() else np.empty(0, np.int64)
     if len(doubt):
-        other = halved(kinematics, way.take(doubt), pieces.count[doubt], pieces.goal[doubt], steps)
+        other = halve_blocks(kinematics, way.take(doubt), pieces.count[doubt], pieces.goal[doubt], steps)
         fewer = np.flatnonzero(np.isfinite(other.goal))
-        pieces = pieces.with_others(doubt[fewer], other.taken(fewer))
+        pieces = pieces.with_others(doubt[fewer], other.take(fewer))
     block = np.repeat(np.arange(len(pieces.count)), pieces.count - 1)
     return _Part(pieces, tool_axis(kinematics, way, block, pieces.share)), way.even
 
@@ -287,7 +289,7 @@ def _woven(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:
     return _Way(row, share, all_words, axis, new, outcome)
 
 
-def _moved(findings: tuple[Finding, ...], way: _Way) -> Iterator[Finding]:
+def _move_findings(findings: tuple[Finding, ...], way: _Way) -> Iterator[Finding]:
     """Yield the findings of the given path, each at the row that its own has become."""
     own = np.flatnonzero(way.share == 1.0)
     for finding in findings:

@@ -26,14 +26,14 @@ from freecad_fiveaxis.core.motion.deviation.quartic import (
     Chord,
     bow,
     chord,
-    held_back,
     node_poses,
+    subtract_chord_motion,
 )
 from freecad_fiveaxis.core.motion.deviation.search import Chords, farthest
 from freecad_fiveaxis.core.motion.trajectory import (
     Frames,
     at,
-    chained_motion,
+    chain_motion,
     flat_length,
     inner,
     motion,
@@ -67,7 +67,7 @@ def judge_pieces(
     """
     usable = np.all(np.abs(words) <= LARGEST, axis=1)  # False for NaN
     words = words if usable.all() else np.where(usable[:, None], words, 0.0)
-    move, poses = chained_motion(frame, words)
+    move, poses = chain_motion(frame, words)
     y = inner(frame, poses)
     tips, reach = np.array(outer(poses, y)), flat_length(y[0], y[1])
     way, nodes, levers = (
@@ -84,7 +84,7 @@ def judge_pieces(
         open_ &= np.bincount(group, beyond)[group] == 0.0
     rows = np.flatnonzero(open_)
     if len(rows):
-        least[rows], most[rows] = searched(frame, words[rows], words[rows + 1])
+        least[rows], most[rows] = search_deviation(frame, words[rows], words[rows + 1])
     lost = ~(usable[1:] & usable[:-1])
     least[lost] = most[lost] = np.inf
     return Judged(least, most, worse)
@@ -107,7 +107,8 @@ def _by_quartic(way: Chord, nodes: Floats, levers: Levers) -> tuple[Floats, Floa
     least, most = line.distance, np.where(line.proven, line.bound, np.inf)
     rows = np.flatnonzero((over > 0.0) | ~line.proven)
     least[rows] = np.maximum(
-        _sampled(nodes[:, :, rows], way.start[:, rows], way.vector[:, rows]), least[rows] * line.proven[rows]
+        _sample_distance(nodes[:, :, rows], way.start[:, rows], way.vector[:, rows]),
+        least[rows] * line.proven[rows],
     )
     aside = np.sqrt(most[rows] ** 2 + over[rows] ** 2)
     same_u = 0.25 * _longest([np.sqrt(_dots(part, part)) for part in (bow_[:, rows] for bow_ in full)])
@@ -128,7 +129,7 @@ def _longest(sizes: list[Floats]) -> Floats:
     return np.asarray(a + 0.5 * b + 0.25 * c)
 
 
-def _sampled(points: Floats, start: Floats, vector: Floats) -> Floats:
+def _sample_distance(points: Floats, start: Floats, vector: Floats) -> Floats:
     """Return the largest distance (n,) of points (3, k, n) from segments."""
     way = points - start[:, None]
     share = np.clip(_dots(way, vector) / np.maximum(_dots(vector, vector), SMALLEST), 0.0, 1.0)
@@ -140,7 +141,7 @@ def _dots(p: Floats, q: Floats) -> Floats:
     return np.asarray(p[0] * q[0] + p[1] * q[1] + p[2] * q[2])
 
 
-def searched(frame: Frames, start: Floats, end: Floats) -> tuple[Floats, Floats]:
+def search_deviation(frame: Frames, start: Floats, end: Floats) -> tuple[Floats, Floats]:
     """Return the segment deviation (n,) mm of blocks from words ``start`` to ``end`` (n, 5), and its proven
     bound, by search."""
     move = motion(frame, start, end)
@@ -148,7 +149,7 @@ def searched(frame: Frames, start: Floats, end: Floats) -> tuple[Floats, Floats]
     way, levers = chord(ends[0], ends[1]), close_levers(frame, move)
     origin, along = (way.start[0], way.start[1], way.start[2]), (way.along[0], way.along[1], way.along[2])
     low, second, third = np.zeros_like(way.length), bending(levers, 2), bending(levers, 3)
-    seen = held_back(move, way, way.length <= POINT)
+    seen = subtract_chord_motion(move, way, way.length <= POINT)
     found, _, bound = farthest(
         frame, Chords(seen, origin, along, low, way.length, second, third, levers.turn)
     )
@@ -161,7 +162,7 @@ def off_segment(frame: Frames, words: Floats, start: Floats, vector: Floats) -> 
     move = motion(frame, words, words)
     points = np.array(tip(frame, at(move, np.zeros_like(move.a))))
     points[np.isnan(points)] = 0.0  # words that are no numbers are out of the question anyway
-    return _sampled(points[:, None], frame.first @ start.T, frame.first @ vector.T)
+    return _sample_distance(points[:, None], frame.first @ start.T, frame.first @ vector.T)
 
 
 def off_points(frame: Frames, words: Floats, tip_: Floats) -> Floats:

@@ -2,7 +2,7 @@
 """The NC program as the machine gets it: rounded words, feeds, times."""
 
 from .feeds import rapid_minutes
-from .guided import Guided, standing, turned_to
+from .guided import Guided, standing, take_up_axes
 from .retract import plane_above, upwards, within_travel
 from .rounded import Program, block_findings, build_program, feed_blocks
 from .wrapping import shorter_turns
@@ -10,5 +10,5 @@ from .wrapping import shorter_turns
 __all__ = [
     "Guided", "Program", "block_findings", "build_program", "feed_blocks", "plane_above", "rapid_minutes",
     "shorter_turns",
-    "standing", "turned_to", "upwards", "within_travel",
+    "standing", "take_up_axes", "upwards", "within_travel",
 ]  # fmt: skip

@@ -105,7 +105,7 @@ def _measure_curved(
         for first in range(0, len(alike), portion):
             rows = alike[first : first + portion]
             words, place = ([table.T.take(rows + end, axis=1) for end in (0, 1)] for table in (q, tip))
-            travel[rows] = _sampled(kinematics, words, place, count)
+            travel[rows] = _sample_length(kinematics, words, place, count)
 
 
 def _length(vector: Floats) -> Floats:
@@ -135,7 +135,7 @@ def _travel_factor(kinematics: Chain) -> float:
     return math.sqrt(len(set(kinematics.slot)) * float(linear.sum(axis=0).max() * linear.sum(axis=1).max()))
 
 
-def _sampled(kinematics: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:
+def _sample_length(kinematics: Chain, words: list[Floats], tip: list[Floats], pieces: int) -> Floats:
     """Length of the path sampled at both ends and in the middle of that many pieces; ``words`` [(5, m), (5,
     m)] and ``tip`` [(3, m), (3, m)] at both ends of the whole."""
     start, end = words
@@ -143,10 +143,10 @@ def _sampled(kinematics: Chain, words: list[Floats], tip: list[Floats], pieces: 
     between = start[:, None] + u * (end - start)[:, None]
     inner = forward_tip(kinematics, between.reshape(5, -1).T).T.reshape(3, *between.shape[1:])
     path = np.concatenate([tip[0][:, None], inner, tip[1][:, None]], axis=1)
-    return _by_parabolas(path) if pieces >= HOOK_PIECES else _extrapolated(path)
+    return _by_parabolas(path) if pieces >= HOOK_PIECES else _extrapolate_length(path)
 
 
-def _extrapolated(path: Floats) -> Floats:
+def _extrapolate_length(path: Floats) -> Floats:
     """Return the length of the chords between all points (3, 2 k + 1, m), corrected by that between every
     other one."""
     fine: Floats = _length(np.diff(path, axis=1)).sum(axis=0)

@@ -53,7 +53,7 @@ def standing(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
     return words
 
 
-def turned_to(kinematics: Chain, vector: Floats, near: Floats) -> Floats:
+def take_up_axes(kinematics: Chain, vector: Floats, near: Floats) -> Floats:
     """Rotary words (m, 2) degrees that take up tool axes ``vector`` (m, 3), of the branch and winding nearest
     to ``near`` (m, 2) degrees; at the pole the first one is that of ``near``. NaN where the machine cannot
     take up the axis."""

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import empty_rows
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze, take_rows
 from freecad_fiveaxis.core.base.sentences import Feed, Template, say
@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .feeds import feed_minutes, rapid_minutes, tip_travel
-from .guided import Guided, rounding_finding, standing, turned_to
+from .guided import Guided, rounding_finding, standing, take_up_axes
 from .wrapping import by_the_shorter_way, wraps_of
 
 FEED_SLACK = 1e-9
@@ -106,7 +106,7 @@ def build_program(
     words, more = by_the_shorter_way(words, wrap, rotary, kinematics.letters, dialect, motion != Motion.RAPID)
     guided, stands = None, words
     if dialect.guide is not None:
-        guided, words, stands = _guided(joints, row, words, kinematics, dialect.guide)
+        guided, words, stands = _split_guided(joints, row, words, kinematics, dialect.guide)
         more += (
             (
                 rounding_finding(
@@ -148,14 +148,14 @@ def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Fl
     are only rounded where they are said. A row moves where tip, or what is said of the axis, changes."""
     rotary = 15 if guide.vector else dialect.rotary_decimals
     programmed = np.column_stack(
-        [rounded(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])]
+        [round_as_printed(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])]
     )
     if guide.vector is None:
-        programmed[:, 3:] = rounded(programmed[:, 3:], rotary)
+        programmed[:, 3:] = round_as_printed(programmed[:, 3:], rotary)
     written = (
         programmed
         if guide.vector is None
-        else np.column_stack([programmed[:, :3], rounded(joints.path.axis, guide.vector_decimals)])
+        else np.column_stack([programmed[:, :3], round_as_printed(joints.path.axis, guide.vector_decimals)])
     )
     moving = np.flatnonzero(
         np.append(np.ones(min(len(programmed), 1), np.bool_), (np.diff(written, axis=0) != 0.0).any(axis=1))
@@ -163,15 +163,15 @@ def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Fl
     return programmed[moving], moving
 
 
-def _guided(
+def _split_guided(
     joints: JointPath, row: Ints, programmed: Floats, kinematics: Chain, guide: Guide
 ) -> tuple[Guided, Floats, Floats]:
     """Return what the guided blocks say; the tip with the rotary words (m, 5); and where the axes stand (m,
     5)."""
     tip, angles, vector = programmed[:, :3], programmed[:, 3:], None
     if guide.vector is not None:
-        vector = rounded(take_rows(joints.path.axis, row), guide.vector_decimals)
-        angles = turned_to(kinematics, vector, angles)
+        vector = round_as_printed(take_rows(joints.path.axis, row), guide.vector_decimals)
+        angles = take_up_axes(kinematics, vector, angles)
     return (
         Guided(np.ones(len(row), np.bool_), tip, vector),
         np.column_stack([tip, angles]),
@@ -187,7 +187,9 @@ def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
 
     def fill(rows: slice) -> None:
         for k in range(5):
-            words[rows, k] = rounded(q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k))
+            words[rows, k] = round_as_printed(
+                q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k)
+            )
 
     def compare(rows: slice) -> None:
         since = slice(max(rows.start, 1), rows.stop)
@@ -244,11 +246,11 @@ class _FeedScale:
         1, or what F is measured over, mm (deg)."""
         return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
 
-    def rounded_down(self, commanded: Floats) -> Floats:
+    def round_down(self, commanded: Floats) -> Floats:
         """F at most ``commanded`` and at most the controller's largest, but at least one step."""
         step = 10.0**-self.decimals
         count = np.floor(np.minimum(commanded, self.largest) * ((1.0 + FEED_SLACK) / step))
-        return rounded(np.maximum(count, 1.0) * step, self.decimals)
+        return round_as_printed(np.maximum(count, 1.0) * step, self.decimals)
 
 
 class _Times(NamedTuple):
@@ -298,7 +300,7 @@ def _time_blocks(
         commanded = distance / minutes
         commanded[rapid] = 0.0
         held[rapid] = False
-        feed = scale.rounded_down(commanded)
+        feed = scale.round_down(commanded)
         seconds = 60.0 * distance / feed
         seconds[rapid] = 60.0 * rapid_minutes(kinematics, change[rapid])
         feed[rapid] = 0.0

@@ -16,7 +16,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.controllers.dialect import Dialect
@@ -78,7 +78,7 @@ def by_the_shorter_way(
         if turns.any():
             other = np.flatnonzero(np.diff(turns, prepend=0))
             words = words.copy(order="K")
-            words[:, 3 + k] = rounded(words[:, 3 + k] + CIRCLE * turns, dialect.rotary_decimals)
+            words[:, 3 + k] = round_as_printed(words[:, 3 + k] + CIRCLE * turns, dialect.rotary_decimals)
             found.append(_other_way(letter, other, feeding))
     return words, tuple(found)
 

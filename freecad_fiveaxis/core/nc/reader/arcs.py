@@ -61,7 +61,7 @@ class Chords:
     programmed: Floats
 
 
-def chorded(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> tuple[Chords, list[Finding]]:
+def divide_arcs(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> tuple[Chords, list[Finding]]:
     """Return the moves (m, 5) with their arcs divided; one without a centre stays straight, with a finding.
     ``line`` (m,) is for that.
 
@@ -94,7 +94,7 @@ def chorded(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> tuple
         )
     pieces = np.ones(len(programmed), np.int64)
     pieces[arcs.row] = count
-    chords = _divided(before, programmed, pieces)
+    chords = _divide_moves(before, programmed, pieces)
     at = np.flatnonzero(np.repeat(_of(arcs.row, good, len(programmed)), pieces))
     arc = np.searchsorted(arcs.row, chords.row[at])
     first = np.cumsum(pieces) - pieces
@@ -120,7 +120,7 @@ def _of(row: Ints, chosen: Bools, count: int) -> Bools:
     return mask
 
 
-def _divided(before: Floats, programmed: Floats, pieces: Ints) -> Chords:
+def _divide_moves(before: Floats, programmed: Floats, pieces: Ints) -> Chords:
     """Every move in equal pieces of all its words."""
     row = np.repeat(np.arange(len(programmed)), pieces)
     first = np.cumsum(pieces) - pieces

@@ -63,7 +63,9 @@ class CycleMoves:
     stored: set[int] = field(default_factory=set)
 
 
-def written_out(words: Words, lines: Lines, grammar: Grammar, controller: str) -> tuple[Words, list[Finding]]:
+def write_out_cycles(
+    words: Words, lines: Lines, grammar: Grammar, controller: str
+) -> tuple[Words, list[Finding]]:
     """Return the words with the cycles as moves of G0 and G1 in absolute words; each line that becomes
     several keeps its number in ``Words.source``. Without any cycle, the same object. ``controller``: the
     dialect's name, of
@@ -88,7 +90,7 @@ def _cycle_moves(lines: Lines, table: _Table) -> CycleMoves:
         place = table.end(place, since, first)
         hole, since = Hole(initial=float(place[AXES[table.plane[first], 2]])), last
         for row in (np.flatnonzero(table.concerned[first:last]) + first).tolist():
-            place = table.drilled(cycles, hole, int(code[row]), row, place)
+            place = table.drill_hole(cycles, hole, int(code[row]), row, place)
         if sum(map(len, cycles.moves.values())) > MOST:
             raise ProgramError(
                 say(
@@ -145,7 +147,7 @@ class _Table:
             place[k] += value[kind == STEP].sum()
         return place
 
-    def drilled(self, cycles: CycleMoves, hole: Hole, code: int, row: int, place: Floats) -> Floats:
+    def drill_hole(self, cycles: CycleMoves, hole: Hole, code: int, row: int, place: Floats) -> Floats:
         """Put the moves of one line into ``cycles``; returns where they end."""
         axes = AXES[self.plane[row]]
         if code not in self.ways.read:
@@ -256,7 +258,7 @@ def _with_moves(words: Words, lines: Lines, cycles: CycleMoves, table: _Table) -
     more = np.zeros(lines.count, np.int64)
     more[rows] = np.maximum(count - 1, 0) + table.steps[rows]
     shift = np.cumsum(more) - more
-    keep = _kept(words, rows, cycles, table.ways)
+    keep = _find_kept_words(words, rows, cycles, table.ways)
     letter = _stepwise(words.letter[keep], np.isin(words.line[keep], rows[table.steps[rows]]))
     return spread(words, more, keep, letter, _new_words(cycles, rows, count, shift, table))
 
@@ -280,7 +282,7 @@ def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints
     )
 
 
-def _kept(words: Words, rows: Ints, cycles: CycleMoves, ways: Ways) -> Bools:
+def _find_kept_words(words: Words, rows: Ints, cycles: CycleMoves, ways: Ways) -> Bools:
     """Which words stay: not those of the cycles that are written out, and no code of one where it stands
     alone."""
     own = np.isin(words.line, rows) & np.isin(words.letter, [ord(letter) for letter in WORDS])

@@ -68,7 +68,7 @@ class Contour:
             self.words[axis][0][row], self.words[axis][1][row] = value, ABSOLUTE
 
 
-def angled(
+def apply_angles(
     lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, meaning: Ints
 ) -> tuple[list[tuple[Floats, Bytes]], list[Finding]]:
     """Return the words of the motion lines ``at`` (m,) with those that their angles make; ``mode`` (m,) of

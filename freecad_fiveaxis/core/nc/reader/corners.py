@@ -74,7 +74,7 @@ def sizes(column: Floats, at: Ints) -> tuple[Floats, Bools, Bools]:
     return np.where(length, value + BEYOND, value)[at], length[at], modal[at]
 
 
-def marked(text: bytes, siemens: bool = False) -> bytes:
+def mark_corners(text: bytes, siemens: bool = False) -> bytes:
     """Return the text, in capitals, with the private words for each corner and angle that has a plain
     number."""
     mark = b"ANG" if siemens else b","

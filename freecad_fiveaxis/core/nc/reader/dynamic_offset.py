@@ -23,14 +23,14 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 
 from . import codes
 from .codes import Grammar
 from .lines import Lines
 from .plane_calls import HAAS, Tilt
-from .planes import refused
+from .planes import report_refusal
 from .positions import ABSOLUTE, NOTHING, STEP, absolute_anyway, track
 
 NAME = "G254"
@@ -38,7 +38,7 @@ SAME = 1e-6
 """deg; words that differ by less leave an axis where it is."""
 
 
-def carried(
+def find_offset_planes(
     lines: Lines, axes: Sequence[tuple[Floats, Bytes]], on: Bools, kinematics: Chain, grammar: Grammar
 ) -> tuple[Mapping[int, Tilt], list[Finding]]:
     """Return the planes that the lines with G254 begin and end, by line, and what is said of them; ``axes``:
@@ -53,7 +53,7 @@ def carried(
     for row in np.flatnonzero(called | ended | turns | np.diff(on, prepend=False)).tolist():
         reason = _broken(stands, on, row, since) if called[row] or (since >= 0 and not ended[row]) else ""
         if reason:
-            findings.append(refused(NAME, reason, row))
+            findings.append(report_refusal(NAME, reason, row))
         if called[row] and not reason:
             tilts[row], since = _plane(kinematics, stands[row]), row
         elif ended[row] or reason:
@@ -87,7 +87,7 @@ def _broken(stands: Floats, on: Bools, row: int, since: int) -> str:
 def _plane(kinematics: Chain, angles: Floats) -> Tilt:
     """Return the plane at the rotary words ``angles`` (2,) deg: its axes are where the machine's linear axes
     lead in the work."""
-    there = fitted_columns(kinematics.letters)
+    there = find_physical_columns(kinematics.letters)
     head = [
         axis.letter
         for k, axis in enumerate(kinematics.axes)

@@ -85,7 +85,7 @@ class Variables:
         else:
             self.shared[key] = value
 
-    def named(self, name: str) -> dict[str, float]:
+    def find_store(self, name: str) -> dict[str, float]:
         """Where a variable of that name lives."""
         return self.shared_named if name.startswith("_") else self.own_named
 
@@ -139,7 +139,7 @@ class Parser:
         if self.takes("#"):
             return self.variable()[0]
         if self.takes("["):
-            return self.bracketed()
+            return self.parse_bracket()
         if name := self.match(FUNCTION):
             return self.function(name)
         if text := self.match(NUMBER):
@@ -147,7 +147,7 @@ class Parser:
             return lambda known: literal
         raise Unread(say("no value: {rest}", rest=repr(self.rest()[:20])))
 
-    def bracketed(self) -> Expression:
+    def parse_bracket(self) -> Expression:
         """Return what stands up to the closing bracket."""
         self.depth += 1
         if self.depth > DEEPEST:
@@ -161,7 +161,7 @@ class Parser:
         """How a variable is read and written; the # is read already."""
         if found := NAME.match(self.text, self.at):
             self.at = found.end()
-            return _named(found[1])
+            return _access_variable(found[1])
         self.depth += 1
         if self.depth > DEEPEST:
             raise Unread(say("more than {most} brackets in brackets", most=DEEPEST))
@@ -192,7 +192,7 @@ class Parser:
             raise Unread(say("EXISTS of a variable without a name"))
         self.at, name = found.end(), found[1]
         self.needs("]")
-        return lambda known: float(name in known.named(name))
+        return lambda known: float(name in known.find_store(name))
 
     def expression(self, level: int = 0) -> Expression:
         """Values with operators of this level and those that bind more."""
@@ -200,7 +200,7 @@ class Parser:
             return self.value()
         left = self.expression(level + 1)
         while name := self.operator(level):
-            left = self.joined(name, left, self.expression(level + 1))
+            left = self.join_operands(name, left, self.expression(level + 1))
         return left
 
     def operator(self, level: int) -> str | None:
@@ -211,7 +211,7 @@ class Parser:
         self.at = found.end()
         return found[0]
 
-    def joined(self, name: str, left: Expression, right: Expression) -> Expression:
+    def join_operands(self, name: str, left: Expression, right: Expression) -> Expression:
         """Return the two with an operator between them."""
         if self.fanuc and name in ("EQ", "NE"):
             equal = name == "EQ"
@@ -220,19 +220,19 @@ class Parser:
         return lambda known: work(number(left(known)), number(right(known)))
 
 
-def _named(name: str) -> tuple[Expression, Callable[[Variables, Value], None]]:
+def _access_variable(name: str) -> tuple[Expression, Callable[[Variables, Value], None]]:
     def read(known: Variables) -> Value:
-        if name not in known.named(name):
-            raise Unread(say("{name} was never set", name=_shown(name)))
-        return known.named(name)[name]
+        if name not in known.find_store(name):
+            raise Unread(say("{name} was never set", name=_show_name(name)))
+        return known.find_store(name)[name]
 
     def write(known: Variables, value: Value) -> None:
-        known.named(name)[name] = number(value)
+        known.find_store(name)[name] = number(value)
 
     return read, write
 
 
-def _shown(name: str) -> str:
+def _show_name(name: str) -> str:
     """Return a name as the program writes it: Siemens' R1 and names of variables (:mod:`.siemens_names`), or
     LinuxCNC's."""
     if re.fullmatch("_R[0-9]+", name):

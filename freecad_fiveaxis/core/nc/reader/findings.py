@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, Number, Option, Template, say
 from freecad_fiveaxis.core.controllers.dialect import Dialect
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
 
@@ -203,7 +203,7 @@ def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, gramm
     unknown = [
         letter
         for k, letter in enumerate(letters)
-        if k in fitted_columns(letters) and not (motions.named[0, k] or (by_vector and k >= 3))
+        if k in find_physical_columns(letters) and not (motions.named[0, k] or (by_vector and k >= 3))
     ]
     if unknown:
         text = say(

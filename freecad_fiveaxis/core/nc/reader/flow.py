@@ -45,7 +45,7 @@ class Flow:
     numbers: dict[int, list[int]] = field(default_factory=dict)
     words: dict[int, tuple[str, str]] = field(default_factory=dict)
 
-    def numbered(self, number: int, at: int) -> int:
+    def find_line(self, number: int, at: int) -> int:
         """Return the line that a jump from line ``at`` to N``number`` leads to: on to the end of its program,
         then from its start.
 

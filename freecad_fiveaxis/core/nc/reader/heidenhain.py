@@ -91,7 +91,7 @@ def plain(text: bytes, notes: Notes) -> bytes:
         text = CONTINUED.sub(_one_line, text)
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
-    text = RETRACT.sub(lambda found: _noted(found, codes.HOME, notes), text) if b"M140" in text else text
+    text = RETRACT.sub(lambda found: _note_word(found, codes.HOME, notes), text) if b"M140" in text else text
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
     text = SAME_SIDE.sub(_blank, text)
     text = CODE_LINE.sub(lambda found: _function(found, notes), text)
@@ -100,9 +100,9 @@ def plain(text: bytes, notes: Notes) -> bytes:
     for word, private in PRIVATE:
         text = text.replace(word, private.encode() + b" ")
     if b"F" in text:
-        text = FEED_BY_NAME.sub(lambda found: _noted(found, UNKNOWN_FEED, notes), text)
+        text = FEED_BY_NAME.sub(lambda found: _note_word(found, UNKNOWN_FEED, notes), text)
     if b"Q" in text or b"=" in text or b"#" in text:
-        text = PARAMETER.sub(lambda found: _noted(found, codes.MACRO, notes), text)
+        text = PARAMETER.sub(lambda found: _note_word(found, codes.MACRO, notes), text)
     text = _words(text, notes).replace(b" L ", b" G1").replace(b" LN ", b" G1 ")
     return LINE.sub(rb"\1G1", text) if b"L" in text else text
 
@@ -126,7 +126,7 @@ def _words(text: bytes, notes: Notes) -> bytes:
     if b"R" in text:
         text = SENSE.sub(lambda found: (b"G3" if found[1] == b"+" else b"G2").ljust(len(found[0])), text)
         text = NO_RADIUS.sub(b"  ", text)
-        text = SIDE.sub(lambda found: _noted(found, codes.RADIUS, notes), text)
+        text = SIDE.sub(lambda found: _note_word(found, codes.RADIUS, notes), text)
     return text
 
 
@@ -140,7 +140,7 @@ def _blank(found: re.Match[bytes]) -> bytes:
     return b" " * len(found[0])
 
 
-def _noted(found: re.Match[bytes], kind: codes.Kind, notes: Notes) -> bytes:
+def _note_word(found: re.Match[bytes], kind: codes.Kind, notes: Notes) -> bytes:
     notes.note(kind, b" ".join(found[0].split()).decode("latin-1"), found.start())
     return b" " * len(found[0])
 
@@ -149,7 +149,7 @@ def _centre(found: re.Match[bytes], notes: Notes) -> bytes:
     """CC: the axis letters become those of an absolute centre; an incremental one is not known here."""
     words = found[2]
     if re.search(rb"[xyz]", words) or not re.search(rb"[XYZ]", words):
-        return _noted(found, codes.ARC_KIND, notes)
+        return _note_word(found, codes.ARC_KIND, notes)
     return found[1] + b"  " + words.translate(bytes.maketrans(b"XYZ", codes.CENTRE.encode()))
 
 

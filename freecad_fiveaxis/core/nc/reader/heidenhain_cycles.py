@@ -67,7 +67,7 @@ class Around:
     place: Callable[[], tuple[float, float]]
 
 
-def drilled(cycle: Cycle, around: Around) -> list[str]:
+def write_hole(cycle: Cycle, around: Around) -> list[str]:
     """Write the blocks of one hole, after which F is what it was. Raises Unread for what is not simple."""
     words, own = cycle.words, cycle.number
     if missing := [name for name in NEEDED[own] if name not in words]:

@@ -146,13 +146,15 @@ def _straight(words: dict[str, float] | None, rest: str, place: Place) -> str | 
     if words is None or place.pole is None:
         return None
     seen = place.seen()
-    radius, angle = (_reached(words, name, seen[k] if seen else None) for k, name in enumerate(("PR", "PA")))
+    radius, angle = (
+        _find_target(words, name, seen[k] if seen else None) for k, name in enumerate(("PR", "PA"))
+    )
     if radius is None or angle is None:
         return None
     return "L " + _to(place, radius, angle) + _others(rest)
 
 
-def _reached(words: dict[str, float], name: str, now: float | None) -> float | None:
+def _find_target(words: dict[str, float], name: str, now: float | None) -> float | None:
     if name in words:
         return words[name]
     return None if now is None else now + words.get("I" + name, 0.0)

@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from .codes import CYCLE_KIND
 from .expressions import NUMBER, Unread
-from .heidenhain_cycles import Around, Cycle, drilled, place_before
+from .heidenhain_cycles import Around, Cycle, place_before, write_hole
 from .heidenhain_formula import Formula
 from .interpreter import BETWEEN, MOST, Refused, Written, deeper, endless, refusal_of
 from .of_machine import NO_MACHINE, OfMachine
@@ -63,12 +63,12 @@ RELATIONS: dict[str, Callable[[float, float], bool]] = {
 LARGEST = 1e10
 
 
-def marked(text: bytes) -> bool:
+def has_parameters(text: bytes) -> bool:
     """Whether a text, in capitals, has parameters, calls or cycle calls."""
     return bool(any(sign in text for sign in SIGNS) and MARK.search(text))
 
 
-def written_out(
+def run_heidenhain(
     text: bytes, progress: Progress = silent, of_machine: OfMachine = NO_MACHINE
 ) -> Written | Refused:
     """Return the text, in capitals and without comments, as the control of that machine runs it. Raises
@@ -208,14 +208,14 @@ class Run:
         letter, sign, name = found[1], found[2], found[3]
         if letter == "F" and name not in self.known:
             return found[0]
-        value = self._known(name)
+        value = self._read_parameter(name)
         if not abs(value) < LARGEST:
             raise Unread(say("a value beyond all words"))
         return (
             f"{letter}{value:.10f}" if letter == "F" else f"{letter}{-value if sign == '-' else value:+.10f}"
         )
 
-    def _known(self, name: str) -> float:
+    def _read_parameter(self, name: str) -> float:
         if name not in self.known:
             raise Unread(say("{name} was never set", name=f"Q{name}"))
         if self.planes and name in NAMES.values():
@@ -223,7 +223,7 @@ class Run:
         return self.known[name]
 
     def _value(self, text: str) -> float:
-        parser = Formula(text, self._known)
+        parser = Formula(text, self._read_parameter)
         value = parser.sum()
         if parser.rest():
             raise Unread(say("{rest} is not known here", rest=repr(parser.rest()[:20])))
@@ -277,7 +277,7 @@ class Run:
         """Return the line of a cycle with numbers for the values told by parameters."""
 
         def value(found: re.Match[str]) -> str:
-            return f"={(-1.0 if found[1] == '-' else 1.0) * self._known(found[2]):+.10f}"
+            return f"={(-1.0 if found[1] == '-' else 1.0) * self._read_parameter(found[2]):+.10f}"
 
         return re.sub(r"=([-+]?)Q([LR]?[0-9]+)", value, self.lines[self.at])
 
@@ -287,7 +287,7 @@ class Run:
         assert self.cycle is not None
         around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output))
         try:
-            rows = drilled(self.cycle, around)
+            rows = write_hole(self.cycle, around)
         except Unread as unread:
             self._not_drilled(self.cycle.number, unread.reason)
             return

@@ -67,7 +67,7 @@ class Frame:
     o_word: bool = False
 
 
-def written_out(
+def run_program(
     text: bytes, fanuc: bool, progress: Progress = silent, siemens: bytes = b"", search: tuple[str, ...] = ()
 ) -> Written | Refused:
     """Return the text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas
@@ -211,7 +211,7 @@ class Run:
         if what.word == "THEN" and what.then and self._truth(what):
             return self._block(what.then)
         if what.word == "GOTO" and what.to and self._truth(what):
-            return flow.numbered(self._count(what.to(self.known)), at)
+            return flow.find_line(self._count(what.to(self.known)), at)
         return at + 1
 
     def _count(self, value: Value) -> int:
@@ -236,7 +236,7 @@ class Run:
             raise Unread(say("a call that does not say what by P alone"))
         program, times = self._count(values["P"]), self._count(values.get("L", 1.0))
         if what.calls == "M97":
-            head = self.flow.numbered(program, self.at)
+            head = self.flow.find_line(program, self.at)
         else:
             if program not in self.flow.heads and program > 9999 and "L" not in values:
                 program, times = program % 10000, program // 10000
@@ -274,7 +274,7 @@ class Run:
             frame.left -= 1
             return frame.head
         self._pop()
-        return self.flow.numbered(self._count(values["P"]), frame.back - 1) if "P" in values else frame.back
+        return self.flow.find_line(self._count(values["P"]), frame.back - 1) if "P" in values else frame.back
 
     def _pop(self) -> Frame:
         frame = self.frames.pop()

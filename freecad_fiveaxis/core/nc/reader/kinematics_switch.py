@@ -29,7 +29,7 @@ TIP, AXES = 0, 1
 """Numbers of kinematics, as the modules that LinuxCNC ships count them."""
 
 
-def _selected(lines: Lines, grammar: Grammar) -> tuple[Ints, Ints, Ints]:
+def _match_switches(lines: Lines, grammar: Grammar) -> tuple[Ints, Ints, Ints]:
     """Return the lines of the switch that go to the tip's kinematics, to the axes, and to one that is not
     known."""
     chosen = (
@@ -40,11 +40,11 @@ def _selected(lines: Lines, grammar: Grammar) -> tuple[Ints, Ints, Ints]:
     return chosen[number == TIP], chosen[number == AXES], chosen[other]
 
 
-def switched(lines: Lines, grammar: Grammar) -> list[tuple[Ints, bool]]:
+def find_switches(lines: Lines, grammar: Grammar) -> list[tuple[Ints, bool]]:
     """Return the lines that switch to the tip and back, as events of the guide."""
     if grammar.name != "iso" or not np.isin(lines.code, codes.KINEMATICS).any():
         return []
-    tip, axes, other = _selected(lines, grammar)
+    tip, axes, other = _match_switches(lines, grammar)
     back = np.flatnonzero(lines.any_of(codes.KINEMATICS[1:]))
     return [(np.concatenate([axes, other, back]), False), (tip, True)]
 
@@ -53,16 +53,16 @@ def switch_findings(lines: Lines, grammar: Grammar) -> list[Finding]:
     """Return what a number was taken for, those that are not known, and G12.1 without any."""
     if grammar.name != "iso" or codes.KINEMATICS[0] not in lines.code:
         return []
-    tip, axes, other = _selected(lines, grammar)
+    tip, axes, other = _match_switches(lines, grammar)
     taken = np.sort(np.concatenate([tip, axes]))
     bare = np.flatnonzero(lines.any_of(codes.KINEMATICS[:1]) & np.isnan(lines.column("P")))
-    found = [_taken(int(taken[0]))] if len(taken) else []
+    found = [_report_numbers(int(taken[0]))] if len(taken) else []
     found += [_unknown(int(other[0]), float(lines.column("P")[other[0]]), len(other))] if len(other) else []
     found += kind_findings(codes.POLAR, {"G12.1": (int(bare[0]), len(bare))}) if len(bare) else []
     return found
 
 
-def _taken(row: int) -> Finding:
+def _report_numbers(row: int) -> Finding:
     text = say(
         "G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as "
         "LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the "

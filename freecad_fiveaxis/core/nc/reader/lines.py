@@ -99,7 +99,7 @@ class Lines:
         lookup = np.zeros(max(group) + 1, np.int64)
         lookup[list(group)] = list(group.values())
         state[line] = lookup[code]
-        return held(state, line, self.count)
+        return hold_state(state, line, self.count)
 
 
 def without_dwells(words: Words, grammar: Grammar) -> Words:
@@ -137,7 +137,7 @@ def tenfold(value: Floats) -> Ints:
     return np.asarray(np.where(known, tens, -1.0).astype(np.int64))
 
 
-def held(state: Ints, line: Ints, count: int) -> Ints:
+def hold_state(state: Ints, line: Ints, count: int) -> Ints:
     """``state`` of the last of the given lines at or before each line (of line 0 before the first)."""
     return state[last_of(line, count)]
 

@@ -34,12 +34,12 @@ from freecad_fiveaxis.core.motion.program import Guided, Program, rapid_minutes
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from . import codes, corners
-from .arcs import Arcs, Chords, chorded
-from .canned_cycles import written_out
+from .arcs import Arcs, Chords, divide_arcs
+from .canned_cycles import write_out_cycles
 from .causes import fold
 from .codes import GRAMMARS, INCH, Grammar
-from .contour_angles import angled
-from .dynamic_offset import carried
+from .contour_angles import apply_angles
+from .dynamic_offset import find_offset_planes
 from .feeds import feeds
 from .findings import (
     code_findings,
@@ -54,7 +54,7 @@ from .findings import (
     wrap_findings,
 )
 from .heidenhain_cycles import diameters
-from .kinematics_switch import switch_findings, switched
+from .kinematics_switch import find_switches, switch_findings
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
 from .of_machine import OfMachine
 from .planes import Planes, planes_of
@@ -64,16 +64,16 @@ from .positions import (
     Moves,
     absolute_anyway,
     axis_words,
-    begun,
     check_near,
+    find_start,
     in_work,
     moves,
     tool_axes,
     where_axes_stand,
 )
-from .shifts import shifted
+from .shifts import shift_words
 from .siemens_holes import holes_written_out
-from .turning import off_normal, turned, vector_findings
+from .turning import off_normal, turn_into_planes, vector_findings
 from .words import Words, language_of, read_words
 
 
@@ -107,7 +107,7 @@ def read_nc(
     findings = language_finding(language, expected)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
-    dynamic, reports = carried(lines, axes, on, kinematics, grammar)
+    dynamic, reports = find_offset_planes(lines, axes, on, kinematics, grammar)
     findings += (*reports, *switch_findings(lines, grammar))
     planes = planes_of(lines, grammar, dynamic)
     if planes is not None:
@@ -119,10 +119,10 @@ def read_nc(
     wrap, meant = (first, second), _meant(lines, axes, at, grammar, kinematics.letters)
     meaning = on[at].astype(np.int64)
     if planes is not None:
-        solved = turned(kinematics, meant, at, planes, wrap)
+        solved = turn_into_planes(kinematics, meant, at, planes, wrap)
         meant, findings = solved.words, (*findings, *planes.findings, *solved.findings)
         meaning = planes.of_blocks(at, on[at], meant)
-    meant, bent = angled(lines, at, meant, mode[at], meaning)
+    meant, bent = apply_angles(lines, at, meant, mode[at], meaning)
     at, motions = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     unknown, of_codes = code_findings(words, grammar, at)
@@ -204,13 +204,13 @@ def _words_and_lines(
     if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then
         expanded, found = holes_written_out(words, lines, grammar)
     else:
-        expanded, found = shifted(words, lines, grammar)
+        expanded, found = shift_words(words, lines, grammar)
     findings = words.findings + in_file(words, (*findings, *found))
     words, lines = expanded, lines if expanded is words else Lines(expanded, assumed)
     if grammar.name == "siemens":
-        expanded, found = shifted(words, lines, grammar)
+        expanded, found = shift_words(words, lines, grammar)
     else:
-        expanded, found = written_out(words, lines, grammar, controller)
+        expanded, found = write_out_cycles(words, lines, grammar, controller)
     findings += in_file(words, tuple(found))
     return expanded, lines if expanded is words else Lines(expanded, assumed), findings, cause
 
@@ -232,16 +232,16 @@ def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
     if codes.SWITCH in lines.letters:
         switch = lines.column(codes.SWITCH)
         events += [(np.flatnonzero(switch == number), bool(number)) for number in (0, 1)]
-    on = _switched([*events, *switched(lines, grammar)], lines.count)
+    on = _find_states([*events, *find_switches(lines, grammar)], lines.count)
     if grammar.name == "iso":
         both = ((codes.GUIDE_ON, True), ((*codes.GUIDE_OFF, *codes.KINEMATICS[1:]), False))
-        on |= _switched(
+        on |= _find_states(
             [(lines.code_line[np.isin(lines.code, chosen)], state) for chosen, state in both], lines.count
         )
     return on
 
 
-def _switched(events: list[tuple[Ints, bool]], count: int) -> Bools:
+def _find_states(events: list[tuple[Ints, bool]], count: int) -> Bools:
     """Return the state in each line, off at first, from the lines where it is switched; on wins over off in
     the same line."""
     on, marked = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
@@ -285,7 +285,7 @@ def _moves(
     """Return the lines of the blocks, those of a safe start left out, and where they lead."""
     vector = _vectors(lines, at, mode, on)
     vector = vector if planes is None else planes.vectors_in_work(vector, meaning)
-    start = begun(words, meaning, mode[at] == codes.RAPID, vector)
+    start = find_start(words, meaning, mode[at] == codes.RAPID, vector)
     kept = [(value[start.row :], kind[start.row :]) for value, kind in words]
     at, vector, meaning = at[start.row :], vector[start.row :], meaning[start.row :]
     return at, moves(at, kept, on[at], vector, kinematics, wrap, start.programmed, meaning, planes)
@@ -348,7 +348,7 @@ def _chords(
         columns["R"][line] * inch, centre,
         lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
     )  # fmt: skip
-    return chorded(arcs, motions.before, motions.programmed, motions.at)
+    return divide_arcs(arcs, motions.before, motions.programmed, motions.at)
 
 
 def _corners(
@@ -385,7 +385,7 @@ def _program(
     change = programmed - before
     programmed = in_work(programmed, meaning, planes)
     words = where_axes_stand(kinematics, programmed, on if planes is None else on | planes.by_tip(meaning))
-    guided = _guided(kinematics, words, programmed, on, vector) if on.any() else None
+    guided = _gather_guided(kinematics, words, programmed, on, vector) if on.any() else None
     seconds = _seconds(
         words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, kinematics, dialect
     )
@@ -394,7 +394,7 @@ def _program(
     )
 
 
-def _guided(kinematics: Chain, words: Floats, programmed: Floats, on: Bools, vector: Floats) -> Guided:
+def _gather_guided(kinematics: Chain, words: Floats, programmed: Floats, on: Bools, vector: Floats) -> Guided:
     """Return what the file says: a vector stays until the rotary words change."""
     given: Bools = np.asarray(~np.isnan(vector).all(axis=1))
     if not given.any():

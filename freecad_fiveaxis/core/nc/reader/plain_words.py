@@ -68,7 +68,7 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
     source, refused = None, list[Finding]()
     if calls or siemens_run.MARK.search(text):
-        run = interpreter.written_out(text, False, progress, siemens=called, search=of_machine.search)
+        run = interpreter.run_program(text, False, progress, siemens=called, search=of_machine.search)
         if isinstance(run, interpreter.Written):
             text, source = run.text, run.source
         else:
@@ -79,8 +79,8 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     source, refused, cause, notes = None, list[Finding](), None, Notes()
-    if heidenhain_run.marked(text):
-        run = heidenhain_run.written_out(text, progress, of_machine)
+    if heidenhain_run.has_parameters(text):
+        run = heidenhain_run.run_heidenhain(text, progress, of_machine)
         if isinstance(run, interpreter.Written):
             text, source, refused = run.text, run.source, list(run.findings)
         else:
@@ -122,6 +122,6 @@ def _refuse_digits(text: bytes, row: int, source: Ints | None) -> NoReturn:
     )
 
 
-def moved(found: Finding, source: Ints | None) -> Finding:
+def relocate_finding(found: Finding, source: Ints | None) -> Finding:
     """Return a finding with the line of the file."""
     return found if source is None or found.line is None else replace(found, line=int(source[found.line]))

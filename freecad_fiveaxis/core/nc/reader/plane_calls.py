@@ -155,7 +155,7 @@ def _heidenhain(form: str, rest: str) -> Tilt:
         return Tilt(HEIDENHAIN, refused=say("not all its values are given, or others"))
     if why := beyond([*entries.values(), float(dist)]):
         return Tilt(HEIDENHAIN, refused=why)
-    turn = _turned(form, [entries.get(name, 0.0) for name in FORMS[form]])
+    turn = _compute_rotation(form, [entries.get(name, 0.0) for name in FORMS[form]])
     if turn is None:
         return Tilt(HEIDENHAIN, refused=say("its vectors span no plane"))
     return Tilt(
@@ -170,7 +170,7 @@ def _heidenhain(form: str, rest: str) -> Tilt:
     )
 
 
-def _turned(form: str, values: list[float]) -> Floats | None:
+def _compute_rotation(form: str, values: list[float]) -> Floats | None:
     if form in ("SPATIAL", RELATIVE):
         return one_by_one((2, 1, 0), values[::-1])
     return euler(values) if form == "EULER" else by_vectors(np.array(values[:3]), np.array(values[3:]))

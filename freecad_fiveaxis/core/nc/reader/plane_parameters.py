@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from .expressions import NUMBER
 from .plane_calls import STAY, heidenhain
-from .plane_solution import lost, solution, taken
+from .plane_solution import lost, report_solution, solution
 
 NAMES = {"A": "120", "B": "121", "C": "122"}
 READS = re.compile(rb"Q12[0-2](?![0-9])")
@@ -51,7 +51,7 @@ class PlaneParameters:
             self.findings.append(lost(at + 1, why))
             angles = self.stand
         elif not tilt.back:
-            self.picked = taken(self.kinematics, tilt, angles, at + 1)
+            self.picked = report_solution(self.kinematics, tilt, angles, at + 1)
         if tilt.move != STAY:
             self.stand = angles.copy()
         found = dict(zip(self.letters, angles.tolist(), strict=True))

@@ -58,7 +58,7 @@ def solution(kinematics: Chain, tilt: Tilt, frame: Floats, stand: Floats) -> tup
     within = ((ways >= kinematics.low[3:] - SLACK) & (ways <= kinematics.high[3:] + SLACK)).all(axis=1)
     if not within.any():
         return None, say("no way to stand lies within the limits of the rotary axes")
-    chosen = _chosen(kinematics, tilt, ways[within], stand)
+    chosen = _choose_solution(kinematics, tilt, ways[within], stand)
     return (
         (None, say("SEQ asks for a way that lies beyond the limits"))
         if chosen is None
@@ -100,7 +100,7 @@ def master(kinematics: Chain, rule: str) -> int:
     return 0 if rule != HEIDENHAIN and first == "head" else 1
 
 
-def _chosen(kinematics: Chain, tilt: Tilt, ways: Floats, stand: Floats) -> Floats | None:
+def _choose_solution(kinematics: Chain, tilt: Tilt, ways: Floats, stand: Floats) -> Floats | None:
     """One of the ways (n, 2) rad; None where none has the sign that is asked for."""
     one = master(kinematics, tilt.rule)
     other, way = 1 - one, np.abs(ways - stand)
@@ -120,7 +120,7 @@ def _chosen(kinematics: Chain, tilt: Tilt, ways: Floats, stand: Floats) -> Float
     return np.asarray(ways[order[0]])
 
 
-def taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
+def report_solution(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
     """Say which of the ways to stand (2,) deg is taken, and from which line on."""
     letters = kinematics.letters[3:]
     first, second = letters[0] + f"{angles[0]:.4f}", letters[1] + f"{angles[1]:.4f}"

@@ -168,7 +168,7 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
     for row, tilt in tilts.items():
         reason = _wrong(tilt, now) or _without_centres(tilt, lines)
         if reason:
-            findings.append(refused(tilt.name or NAMES[tilt.rule], reason, row))
+            findings.append(report_refusal(tilt.name or NAMES[tilt.rule], reason, row))
         elif tilt.turn is not None:
             relative = tilt.relative and now
             place = before[row] + (np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row]
@@ -224,7 +224,7 @@ def _without_centres(tilt: Tilt, lines: Lines) -> str:
     )
 
 
-def refused(name: str, reason: str, row: int) -> Finding:
+def report_refusal(name: str, reason: str, row: int) -> Finding:
     """Return what is not interpreted, in the line of index ``row``."""
     text = say(
         "{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were "

@@ -40,7 +40,7 @@ class Start:
     programmed: Floats
 
 
-def begun(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector: Floats) -> Start:
+def find_start(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector: Floats) -> Start:
     """How the motion lines (m,) begin, given as in :func:`moves`; ``rapid`` (m,).
 
     A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these

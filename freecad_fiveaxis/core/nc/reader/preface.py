@@ -59,8 +59,8 @@ def without_preface(text: bytes, language: str, findings: list[Finding]) -> byte
         end = line_end(text, end) + 1
     head, rest = text[:end], text[end:]
     if LISTING_SIGN in head:
-        head = _passed(head, LISTING, findings, say("the head of NX's listing"))
-    head = _passed(
+        head = _pass_over(head, LISTING, findings, say("the head of NX's listing"))
+    head = _pass_over(
         head,
         SIEMENS_NAME if language == "siemens" else NAME,
         findings,
@@ -69,7 +69,7 @@ def without_preface(text: bytes, language: str, findings: list[Finding]) -> byte
     return _without_colons(head + rest, findings)
 
 
-def _passed(text: bytes, pattern: re.Pattern[bytes], findings: list[Finding], what: str) -> bytes:
+def _pass_over(text: bytes, pattern: re.Pattern[bytes], findings: list[Finding], what: str) -> bytes:
     found = pattern.search(text)
     if found is None:
         return text

@@ -32,7 +32,7 @@ from .lines import Lines, last_of
 from .plane_calls import FANUC, SIEMENS, TURN, Tilt
 from .planes import tilts_of
 from .positions import ABSOLUTE, STEP, axis_words
-from .siemens_frames import ROTATED, framed
+from .siemens_frames import ROTATED, replace_frames
 from .words import Words
 
 NONE, NAMED, WHOLE, ON = 0, 1, 2, 3
@@ -66,33 +66,33 @@ class _Table:
     rotary: Bools
 
 
-def shifted(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
+def shift_words(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
     """Return the words with all shifts put into them, those of the shifts themselves left out. Without any,
     the same object."""
     kind = _kinds(lines, grammar)
     if np.isnan(kind).all():
         return words, []
     if (kind >= ROTATED).any():
-        return framed(words, lines, grammar, kind)
+        return replace_frames(words, lines, grammar, kind)
     table, tilts = _table(lines, grammar, kind), tilts_of(lines, grammar)
     zero, at, states, origins, findings = _Zero(), [0], [np.zeros(3)], dict[int, Floats](), list[Finding]()
     moving = np.flatnonzero((table.meant != 0).any(axis=1) & np.isnan(kind) & ~lines.any_of(grammar.no_move))
     for row in sorted({*np.flatnonzero(~np.isnan(kind)).tolist(), *tilts}):
-        findings += _left(zero, moving, row, grammar)
+        findings += _report_moving_zero(zero, moving, row, grammar)
         if row in tilts:
-            _tilted(zero, tilts[row], row)
-        elif reason := _moved(zero, table, row, grammar):
+            _tilt_zero(zero, tilts[row], row)
+        elif reason := _shift_zero(zero, table, row, grammar):
             findings.append(shift_finding(NAMES[grammar.name], reason, row))
         if row in tilts and zero.base.any() and grammar.name != "siemens":
             origins[row] = zero.base
         at.append(row)
         states.append(zero.own if zero.tilted else zero.base)
-    findings += _left(zero, moving, lines.count, grammar)
+    findings += _report_moving_zero(zero, moving, lines.count, grammar)
     shift = np.array(states)[np.searchsorted(at, last_of(np.array(at[1:]), lines.count))]
     return _put(words, lines, grammar, shift, np.asarray(~np.isnan(kind)), origins), findings
 
 
-def _left(zero: _Zero, moving: Ints, row: int, grammar: Grammar) -> list[Finding]:
+def _report_moving_zero(zero: _Zero, moving: Ints, row: int, grammar: Grammar) -> list[Finding]:
     """Report that lines before ``row`` move by a zero that only the control knows."""
     if not zero.left.any() or np.searchsorted(moving, zero.end) == np.searchsorted(moving, row):
         return []
@@ -119,7 +119,7 @@ def _table(lines: Lines, grammar: Grammar, kind: Floats) -> _Table:
     )
 
 
-def _tilted(zero: _Zero, tilt: Tilt, row: int) -> None:
+def _tilt_zero(zero: _Zero, tilt: Tilt, row: int) -> None:
     """Shift the zero by what a line of a tilted plane makes of it."""
     if tilt.refused or (tilt.rule == FANUC and tilt.move == TURN):
         return
@@ -130,7 +130,7 @@ def _tilted(zero: _Zero, tilt: Tilt, row: int) -> None:
     zero.tilted, zero.own = tilt.turn is not None, np.zeros(3)
 
 
-def _moved(zero: _Zero, table: _Table, row: int, grammar: Grammar) -> str:
+def _shift_zero(zero: _Zero, table: _Table, row: int, grammar: Grammar) -> str:
     """Return what a line with a shift makes of the zero; why that is not known."""
     if zero.tilted and grammar.name == "iso":
         return say("it stands in a tilted plane")

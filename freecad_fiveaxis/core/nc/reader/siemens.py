@@ -89,7 +89,7 @@ WAYS = {
 def plain(text: bytes, notes: Notes) -> bytes:
     """Return the text, in capitals and without comments, as ISO words with the private letters; every line
     stays where it is."""
-    text = corners.marked(shifts(without_strings(text)), siemens=True)
+    text = corners.mark_corners(shifts(without_strings(text)), siemens=True)
     text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
         text = _addresses(text, notes)
@@ -147,7 +147,7 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
         text = text.replace(letter + b"3=", private.encode() + b"  ")
     if b"=" not in text:
         return text
-    text = BRACKETED.sub(lambda found: _bracketed(found, notes), text)
+    text = BRACKETED.sub(lambda found: _rewrite_bracket(found, notes), text)
     text = VECTOR.sub(
         lambda found: codes.VECTOR["ABC".index(found[1].decode())].encode().ljust(len(found[0])), text
     )
@@ -157,11 +157,11 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
     text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
     text = SIDE.sub(_blank, text)
     return ORIENTATION.sub(
-        lambda found: _noted(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text
+        lambda found: _note_word(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text
     )
 
 
-def _bracketed(found: re.Match[bytes], notes: Notes) -> bytes:
+def _rewrite_bracket(found: re.Match[bytes], notes: Notes) -> bytes:
     letter, way, number = found[1].decode(), found[2], found[3]
     if way in (b"ACP", b"ACN"):
         notes.note(codes.WAY, f"{letter}={way.decode()}()", found.start())
@@ -176,7 +176,7 @@ def _bracketed(found: re.Match[bytes], notes: Notes) -> bytes:
     return (word.encode() + number).ljust(len(found[0]))
 
 
-def _noted(found: re.Match[bytes], kind: codes.Kind, name: bytes, notes: Notes) -> bytes:
+def _note_word(found: re.Match[bytes], kind: codes.Kind, name: bytes, notes: Notes) -> bytes:
     notes.note(kind, name.decode("latin-1"), found.start())
     return _blank(found)
 
@@ -194,8 +194,8 @@ def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
     if name in HARMLESS:
         return _blank(found)
     if name == b"MCALL":  # of something else: it ends the modal cycle before it
-        return notes.drill(Drill()) + _noted(found, codes.CALL, name, notes)[2:]
-    return _noted(found, _kind(name), name, notes)
+        return notes.drill(Drill()) + _note_word(found, codes.CALL, name, notes)[2:]
+    return _note_word(found, _kind(name), name, notes)
 
 
 def _alone(found: re.Match[bytes], notes: Notes) -> bytes:
@@ -203,7 +203,7 @@ def _alone(found: re.Match[bytes], notes: Notes) -> bytes:
     name = found[2] or found[3]
     if name in KNOWN or not (found[2] or _kind(name) is codes.UNKNOWN):
         return found[0]
-    return found[1] + _noted(found, codes.CALL, name, notes)[len(found[1]) :]
+    return found[1] + _note_word(found, codes.CALL, name, notes)[len(found[1]) :]
 
 
 def _kind(name: bytes) -> codes.Kind:

@@ -89,7 +89,7 @@ def _arguments(inside: str, unit: Unit, at: int) -> str:
     return ",".join(value or own for value, (_, own) in zip(given, unit.parameters, strict=True))
 
 
-def found_units(rows: list[str], folders: Sequence[str], known: frozenset[bytes]) -> dict[str, Unit]:
+def find_units(rows: list[str], folders: Sequence[str], known: frozenset[bytes]) -> dict[str, Unit]:
     """Return the programs that the rows call, and those that these call, by name. ``known``: words that are
     no programs."""
     units, waiting = dict[str, Unit](), [(row, at) for at, row in enumerate(rows)]

@@ -57,7 +57,7 @@ class _Place:
         return not self.origin.any() and bool((self.turn == np.eye(3)).all())
 
 
-def framed(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[Words, list[Finding]]:
+def replace_frames(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[Words, list[Finding]]:
     """Return the words with the frames as planes (:mod:`.planes`), those of the lines that program them left
     out; ``kind`` (lines,) says what a line does, NaN where it programs no frame."""
     scale = np.where(lines.inch(grammar), INCH, 1.0)

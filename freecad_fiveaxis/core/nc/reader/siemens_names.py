@@ -36,7 +36,7 @@ OPERAND = re.compile(
 OPERATOR = re.compile(r" *(?:\*|/|[-+]|(?:DIV|MOD|AND|OR|XOR)\b|==|<>|<=|>=|<|>)")
 
 
-def marked(rows: list[str]) -> list[str]:
+def mark_names(rows: list[str]) -> list[str]:
     """Return the rows with the names of their variables between marks; the same where they have none."""
     own, control = set[str](), set[str]()
     for row in rows:
@@ -52,7 +52,7 @@ def marked(rows: list[str]) -> list[str]:
     return [IDENTIFIER.sub(lambda found: known.get(found[0], found[0]), row) for row in rows]
 
 
-def unmarked(text: str) -> str:
+def unmark_names(text: str) -> str:
     """Return the text with the names as they are written."""
     return MARKED.sub(lambda found: found[1].partition(".")[2].upper(), text)
 
@@ -69,12 +69,12 @@ def definition(line: str) -> str:
     if not found:
         if WITHOUT_VALUE.match(line):
             return ""
-        raise Unread(say("{rest} is not known here", rest=repr(unmarked(line)[:20])))
+        raise Unread(say("{rest} is not known here", rest=repr(unmark_names(line)[:20])))
     settings = []
     for part in found[1].split(","):
         name, _, value = part.partition("=")
         if not MARKED.fullmatch(name) or not re.fullmatch(r"|[-+]?[0-9.]+|TRUE|FALSE", value):
-            raise Unread(say("{rest} is not known here", rest=repr(unmarked(part)[:20])))
+            raise Unread(say("{rest} is not known here", rest=repr(unmark_names(part)[:20])))
         settings.append(f"{by_names(name)}=[{ {'': '0', 'TRUE': '1', 'FALSE': '0'}.get(value, value) }]")
     return "".join(settings)
 
@@ -87,14 +87,14 @@ def value_end(row: str, at: int) -> int:
             return at
         at = found.end()
         if row[at : at + 1] in ("(", "["):
-            at = _closed(row, at)
+            at = _find_closing(row, at)
         found = OPERATOR.match(row, at)
         if not found:
             return at
         at = found.end()
 
 
-def _closed(row: str, at: int) -> int:
+def _find_closing(row: str, at: int) -> int:
     """Behind the bracket that closes the one at ``at``; the end of the row where none does."""
     depth = 0
     for place in range(at, len(row)):

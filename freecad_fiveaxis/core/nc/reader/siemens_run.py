@@ -20,9 +20,9 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import Unread
 from .siemens import HARMLESS, MACROS, shifts, without_strings
-from .siemens_calls import Whole, found_units, put_unit
+from .siemens_calls import Whole, find_units, put_unit
 from .siemens_cycles import split_arguments
-from .siemens_names import SETS, by_names, definition, marked, unmarked, value_end
+from .siemens_names import SETS, by_names, definition, mark_names, unmark_names, value_end
 from .statements import TEXT
 
 MARK = re.compile(
@@ -67,7 +67,7 @@ def with_calls(rows: list[bytes], called: list[bytes], search: tuple[str, ...]) 
     Raises Unread."""
     main = [row.decode("latin-1") for row in rows]
     texts = [row.decode("latin-1") for row in called] if len(called) == len(rows) else main
-    units = found_units(texts, search, HARMLESS | MACROS)
+    units = find_units(texts, search, HARMLESS | MACROS)
     whole = Whole([], [], [])
     put_unit(whole, 0, main, texts, list(range(len(main))), units)
     for k, unit in enumerate(units.values(), 1):
@@ -83,7 +83,7 @@ def to_o_words(whole: Whole) -> tuple[list[str], list[bool]]:
     """Return the rows, in capitals, as O-words, and which are no more than blocks as they stand.
 
     Raises Unread for what is not known."""
-    rows = marked(whole.rows)
+    rows = mark_names(whole.rows)
     lines = [row.replace(" ", "") for row in rows]
     labels: dict[int, dict[str, int]] = {unit: {} for unit in whole.unit}
     for at, line in enumerate(lines):
@@ -92,7 +92,7 @@ def to_o_words(whole: Whole) -> tuple[list[str], list[bool]]:
     again, plain, opened = list[str](), list[bool](), list[tuple[str, int]]()
     for at, (row, line) in enumerate(zip(rows, lines, strict=True)):
         try:
-            new = _called(row, whole.unit[at]) or _again(row, line, at, labels[whole.unit[at]], opened)
+            new = _rewrite_call(row, whole.unit[at]) or _again(row, line, at, labels[whole.unit[at]], opened)
         except Unread as refused:
             raise Unread(refused.reason, whole.source[at]) from None
         again.append(line if new is None else new)
@@ -102,7 +102,7 @@ def to_o_words(whole: Whole) -> tuple[list[str], list[bool]]:
     return again, plain
 
 
-def _called(row: str, unit: int) -> str | None:
+def _rewrite_call(row: str, unit: int) -> str | None:
     """Return a call, the head or the end of a subprogram, or the way back from it, as O-words; None for any
     other row."""
     if found := BY_NUMBER.match(row):
@@ -139,7 +139,7 @@ def _expression(text: str) -> str:
     """Relations, brackets and variables in the other way of writing."""
     text = text.replace("(", "[").replace(")", "]")
     if found := UNKNOWN.search(text):
-        raise Unread(say("{rest} is not known here", rest=repr(unmarked(found[0]))))
+        raise Unread(say("{rest} is not known here", rest=repr(unmark_names(found[0]))))
     if "AND" in text and "OR" in text:
         raise Unread(say("AND beside OR without a line of its own"))
     for one, other in RELATIONS:
@@ -156,11 +156,13 @@ def _with_values(row: str) -> str:
         if found[1].encode() in HARMLESS:
             inside = ""
         row = row[: found.start(2)] + inside + row[found.end(2) :]
-        return TEXT + (row if "{" in row or not USED.search(row.replace(" ", "")) else _addressed(row))
-    return TEXT + _addressed(row)
+        return TEXT + (
+            row if "{" in row or not USED.search(row.replace(" ", "")) else _rewrite_addresses(row)
+        )
+    return TEXT + _rewrite_addresses(row)
 
 
-def _addressed(row: str) -> str:
+def _rewrite_addresses(row: str) -> str:
     """Return the same for values after addresses."""
     parts, begin = list[str](), 0
     while found := VALUE.search(row, begin):
@@ -172,7 +174,7 @@ def _addressed(row: str) -> str:
         begin = end
     rest = row[begin:]
     if USED.search(rest.replace(" ", "")):
-        raise Unread(say("{rest} is not known here", rest=repr(unmarked(rest.strip())[:20])))
+        raise Unread(say("{rest} is not known here", rest=repr(unmark_names(rest.strip())[:20])))
     return "".join(parts) + rest
 
 
@@ -181,7 +183,7 @@ def _set(rest: str) -> str:
     parts = re.split(r"(?<![-+*/(=A-Z])(?=(?:R[0-9]+|\xab[^\xbb]*\xbb)=(?!=))", rest)
     settings = [part.split("=", 1) for part in parts if part]
     if any(len(one) != 2 or (len(settings) > 1 and USED.search(one[1])) for one in settings):
-        raise Unread(say("{rest} is not known here", rest=repr(unmarked(rest)[:20])))
+        raise Unread(say("{rest} is not known here", rest=repr(unmark_names(rest)[:20])))
     return "".join(f"{_expression(name)}=[{_expression(value)}]" for name, value in settings)
 
 

@@ -49,7 +49,7 @@ class Block:
             what = float(literal) if value is None else value(known)
             values[letter] = what
             if what is not None and letter not in without:
-                text.append(letter + (literal if value is None else written(what)))
+                text.append(letter + (literal if value is None else write_number(what)))
         return " ".join(text), values
 
     def set(self, known: Variables) -> None:
@@ -88,14 +88,14 @@ class Text:
 
     def row(self, known: Variables) -> str:
         """Return the line with numbers for its values."""
-        numbers = [*(written(number(value(known))) for value in self.values), ""]
+        numbers = [*(write_number(number(value(known))) for value in self.values), ""]
         return "".join(part + value for part, value in zip(self.parts, numbers, strict=True))
 
 
 Statement = Block | OWord | Macro | Text
 
 
-def written(value: float) -> str:
+def write_number(value: float) -> str:
     """Return a number as words have it: with a decimal point, for it means what it says whatever the least
     increment."""
     if not abs(value) < LARGEST:
@@ -116,10 +116,10 @@ def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statemen
         return Text(tuple(parts[::2]), tuple(_whole(part, fanuc) for part in parts[1::2]))
     parser = Parser(line, fanuc)
     if parser.takes("WHILE["):
-        condition = parser.bracketed()
+        condition = parser.parse_bracket()
         return Macro("WHILE", condition)
     if parser.takes("IF["):
-        condition = parser.bracketed()
+        condition = parser.parse_bracket()
         if parser.takes("THEN"):
             return Macro("THEN", condition, then=_block(parser, fanuc))
         parser.needs("GOTO")
@@ -150,7 +150,7 @@ def _o_word(line: str, name: str, word: str, fanuc: bool) -> OWord:
     found = O_WORD.match(line)
     parser, values = Parser(line, fanuc, found.end() if found else 0), []
     while parser.takes("["):
-        values.append(parser.bracketed())
+        values.append(parser.parse_bracket())
     if parser.rest():
         raise Unread(say("{rest} is not known here", rest=repr(parser.rest()[:20])))
     if word in ("IF", "ELSEIF", "WHILE", "UNTIL", "REPEAT") and len(values) != 1:

@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 
 from .arcs import Chords
 from .plane_calls import MOVE
-from .plane_solution import lost, solution, taken
-from .planes import IN_PLANE, Planes, refused
+from .plane_solution import lost, report_solution, solution
+from .planes import IN_PLANE, Planes, report_refusal
 from .positions import ABSOLUTE, STEP, Moves, track
 
 OFF_NORMAL = 0.01
@@ -36,7 +36,9 @@ class Turned:
     findings: tuple[Finding, ...]
 
 
-def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]) -> Turned:
+def turn_into_planes(
+    kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]
+) -> Turned:
     """Return the words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of
     ``planes.turning``."""
     output: Words = [(value.copy(), kind.copy()) for value, kind in words]
@@ -54,7 +56,7 @@ def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tupl
             findings.append(lost(line, why))
             continue
         if not tilt.back and first:
-            findings.append(taken(kinematics, tilt, angles, line))
+            findings.append(report_solution(kinematics, tilt, angles, line))
             first = False
         if tilt.move == MOVE and tilt.dist:
             axes = forward(
@@ -77,7 +79,7 @@ def vector_findings(planes: Planes, motions: Moves) -> tuple[Finding, ...]:
     )
     return (
         (
-            refused(
+            report_refusal(
                 say("Tool vectors"),
                 say("tool axes are told by vectors in it"),
                 int(motions.at[both.argmax()]),

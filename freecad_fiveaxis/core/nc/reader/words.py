@@ -35,7 +35,7 @@ from . import codes, corners, interpreter
 from .heidenhain import with_unit
 from .no_motion import pass_over
 from .of_machine import NO_MACHINE, OfMachine
-from .plain_words import Plain, moved, not_run, plain_words
+from .plain_words import Plain, not_run, plain_words, relocate_finding
 from .plane_calls import Tilt
 from .preface import SOLID, between_marks, finding_at, line_end, without_end_sign, without_preface
 from .siemens_cycles import Drill
@@ -156,7 +156,7 @@ def read_words(
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC
     where there is none) of that machine comes to them. Raises ProgramError, naming line and column, for what
     is no word, and for what does not end."""
-    text, findings, plain = _blanked(text, language, progress, of_machine)
+    text, findings, plain = _blank_non_words(text, language, progress, of_machine)
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
     expanded = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
@@ -176,7 +176,7 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     code = np.frombuffer(compact, np.uint8)
     is_letter = code >= ord("A")
     start = np.flatnonzero(is_letter)
-    bad = _malformed(code, is_letter, start)
+    bad = _find_malformed(code, is_letter, start)
     if bad >= 0:
         _complain(text, compact, bad, source)
     value = _numbers(compact, len(start))
@@ -186,7 +186,7 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(
+def _blank_non_words(
     text: bytes, language: str, progress: Progress, of_machine: OfMachine
 ) -> tuple[bytes, list[Finding], Plain]:
     """Return the text in capitals, lines ending in LF, with blanks for all that is no word; what was passed
@@ -223,14 +223,14 @@ def _blanked(
         text = plain.text
         findings += plain.findings
     if language == "iso":
-        text = corners.marked(text)
+        text = corners.mark_corners(text)
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
             found = finding_at(Code.BLOCK_SKIP, SKIPPED.say(count=len(lines)), text, lines[0])
-            findings.append(moved(found, plain.source))
+            findings.append(relocate_finding(found, plain.source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
     return text, findings, plain
@@ -264,7 +264,7 @@ def _run(
     """Return the text as the control comes to its lines, and the lines of the file that these are; where they
     are not understood, blanks for the lines that hold one of the ``marks``, with a finding."""
     if language == "iso":
-        expanded = interpreter.written_out(text, fanuc, progress)
+        expanded = interpreter.run_program(text, fanuc, progress)
         if isinstance(expanded, interpreter.Written):
             return expanded.text, expanded.source
         if not marks:
@@ -318,7 +318,7 @@ def _check_characters(text: bytes, source: Ints | None) -> None:
         _fail(text, found.start(), say("a number with an exponent; write it out"), source)
 
 
-def _malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
+def _find_malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
     """Position of the first character that makes no word, -1 if all is well."""
     before = np.empty(len(code), np.uint8)
     before[0], before[1:] = ord("\n"), code[:-1]

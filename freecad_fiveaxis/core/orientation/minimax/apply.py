@@ -91,22 +91,22 @@ def minimax_axes(
         )
     if len(axis) == 0:
         return axis
-    start, before = _driven(path, axis, kinematics, reach, ring)
+    start, before = _drive_axes(path, axis, kinematics, reach, ring)
     at = find_rows(path)
     length = np.linalg.norm(np.diff(at.centre, axis=0, prepend=at.centre[:1]), axis=1)
     minutes = np.maximum(length / feed, INSTANT) if feed < math.inf else np.full(len(length), math.inf)
     sits = Ring(ring, seat_normal(path, ring), feed_direction(path, axis)) if ring > 0.0 else None
     task = Task(kinematics, reach, max_tilt, minutes, np.abs(np.diff(start, axis=0, prepend=start[:1])), sits)
-    found = _followed(path, task, at, start, progress)
-    return _kept(path, axis, found, task, at, before)
+    found = _follow_branches(path, task, at, start, progress)
+    return _keep_improved(path, axis, found, task, at, before)
 
 
-def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
+def _follow_branches(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
     """Return the axes (k, 3) of small levels on the branches that the joint path will take them up on, and
     within the rates there."""
     words, room, kinematics = _best(task, at, start, progress), np.ones(len(at.first)), task.kinematics
     for _ in range(AGAIN):
-        taken, after = _driven(path, axes_of(kinematics, words), kinematics, task.reach, task.ring_radius)
+        taken, after = _drive_axes(path, axes_of(kinematics, words), kinematics, task.reach, task.ring_radius)
         haste = hastes(task, at, taken)
         fast, other = haste > HASTE, after > OTHER * levels(task, at, words) + EQUAL_DEVIATION
         if not (fast | other).any():
@@ -140,13 +140,15 @@ def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
     return better
 
 
-def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, before: Floats) -> Floats:
+def _keep_improved(
+    path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, before: Floats
+) -> Floats:
     """``found`` in the runs where the largest deviation is really smaller than ``before`` (p,) and no axis
     too fast, ``axis`` in the others."""
     keep = np.ones(len(before), bool)
     for _ in range(CHECKS):
         mixed = np.where(keep[at.run][:, None], found, axis)
-        words, after = _driven(path, mixed, task.kinematics, task.reach, task.ring_radius)
+        words, after = _drive_axes(path, mixed, task.kinematics, task.reach, task.ring_radius)
         worse = np.where(
             keep, after >= GAIN * before, after > before * (1.0 + EQUAL_DEVIATION) + EQUAL_DEVIATION
         )
@@ -159,7 +161,7 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     return axis
 
 
-def _driven(
+def _drive_axes(
     path: OffsetPath, axis: Floats, kinematics: Chain, reach: float, ring: float = 0.0
 ) -> tuple[Floats, Floats]:
     """Rotary words (n, 2) rad of all rows as the joint path chooses them, and the largest deviation (p,) mm

@@ -114,19 +114,19 @@ def bow(kinematics: Chain, start: Ends, end: Ends, shares: Sequence[float], near
 def _square(frame: Frames, start: Ends, end: Ends, share: float, nearest: bool) -> Floats:
     """Return the squared distance at one share."""
     rest = 1.0 - share
-    cos_a, sin_a = _mixed_turn(rest * start.a, share * end.a)
+    cos_a, sin_a = _mix_turns(rest * start.a, share * end.a)
     if nearest:  # a whole turn more at the end is half a turn more in the middle
-        sign = np.cos(np.pi * np.rint(_paired(-start.a, end.a) / TURN))
+        sign = np.cos(np.pi * np.rint(_add_pairs(-start.a, end.a) / TURN))
         cos_a, sin_a = sign * cos_a, sign * sin_a
-    cos_b, sin_b = _mixed_turn(rest * start.b, share * end.b)
+    cos_b, sin_b = _mix_turns(rest * start.b, share * end.b)
     arm = tuple(
-        _paired(rest * p, share * q) if p.ndim else p for p, q in zip(start.arm, end.arm, strict=True)
+        _add_pairs(rest * p, share * q) if p.ndim else p for p, q in zip(start.arm, end.arm, strict=True)
     )
     x, y, z = (
         c - p[:, None]
         for c, p in zip(tip(frame, Pose(arm, cos_a, sin_a, cos_b, sin_b)), start.tip, strict=True)
     )
-    cx, cy, cz = (_paired(-p, q) for p, q in zip(start.tip, end.tip, strict=True))
+    cx, cy, cz = (_add_pairs(-p, q) for p, q in zip(start.tip, end.tip, strict=True))
     foot = dot((x, y, z), (cx, cy, cz))
     foot /= dot((cx, cy, cz), (cx, cy, cz)) + TINY
     np.clip(foot, 0.0, 1.0, out=foot)
@@ -134,11 +134,11 @@ def _square(frame: Frames, start: Ends, end: Ends, share: float, nearest: bool) 
     return dot(off, off)
 
 
-def _paired(one: Floats, two: Floats) -> Floats:
+def _add_pairs(one: Floats, two: Floats) -> Floats:
     return np.asarray(one[:, None] + two[None])
 
 
-def _mixed_turn(one: Floats, two: Floats) -> tuple[Floats, Floats]:
+def _mix_turns(one: Floats, two: Floats) -> tuple[Floats, Floats]:
     """Cosine and sine of ``one`` (m, k) + ``two`` (m', k), by the sums of angles: four products instead of
     trigonometry."""
     c1, s1, c2, s2 = np.cos(one)[:, None], np.sin(one)[:, None], np.cos(two)[None], np.sin(two)[None]

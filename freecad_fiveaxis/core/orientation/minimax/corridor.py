@@ -93,7 +93,7 @@ def _round(
             own, now = task.take(rows), angles[rows]
             for kind, offsets in enumerate(_corridors(line, side)):
                 shown((done + kind / KINDS * len(part)) / len(busy))
-                now = _chosen(own, some, _grid(own, some, now, offsets, width[part]), level[part])
+                now = _choose_states(own, some, _grid(own, some, now, offsets, width[part]), level[part])
             angles[rows], done = now, done + len(part)
     return angles
 
@@ -117,7 +117,7 @@ def _scale(task: Task, angles: Floats) -> Floats:
     return np.stack([1.0 / np.maximum(sine, STEEP), np.ones(len(angles))])
 
 
-def _chosen(task: Task, at: Rows, grid: Floats, level: Floats) -> Floats:
+def _choose_states(task: Task, at: Rows, grid: Floats, level: Floats) -> Floats:
     """Return the best states (k, 2) of a grid (2, m, k), the middle one of which is allowed whatever it
     is."""
     there, middle = states(task.kinematics, grid, at.centre, task.reach, task.ring), grid.shape[1] // 2

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.machine.kinematics import inverse_axis
 
 from .blocks import MIDDLE, states
 from .corridor import GOOD, portions
-from .rows import Rows, allowed
+from .rows import Rows, is_allowed
 from .steps import TURN, Task, axes_of, side, step_costs, usable
 from .sweep import cheapest
 
@@ -48,7 +48,9 @@ def other_way(task: Task, at: Rows, angles: Floats, level: Floats) -> tuple[Ints
     for part in portions(passage, np.arange(len(passage.first)), (4 * _count(task)) ** 2):
         some, own = passage.take(part)
         mine = rows[own]
-        found[own] = _searched(task.take(mine), some, angles[mine], axis[mine], inner[own], level[part])
+        found[own] = _search_passages(
+            task.take(mine), some, angles[mine], axis[mine], inner[own], level[part]
+        )
     axis[rows] = axes_of(task.kinematics, found)
     swapped = np.zeros(len(angles), bool)
     swapped[rows] = side(task, found[:, 1]) != branch[rows]
@@ -78,7 +80,9 @@ def _pole_passages(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bool
     return passage, rows, near[rows]
 
 
-def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, level: Floats) -> Floats:
+def _search_passages(
+    task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, level: Floats
+) -> Floats:
     """Return the best states (s, 2) of passages on the lattice."""
     grid, good = _lattice(task, at, angles, axis, inner)
     grid = np.ascontiguousarray(grid.transpose(2, 1, 0))
@@ -100,7 +104,7 @@ def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -
         -1, 2
     )
     there = axes_of(task.kinematics, points)
-    near = inner[:, None] & allowed(at.before, at.after, task.max_tilt, there.T[:, :, None]).T
+    near = inner[:, None] & is_allowed(at.before, at.after, task.max_tilt, there.T[:, :, None]).T
     width = int(near.sum(axis=1).max())
     order = np.argsort(~near, axis=1, kind="stable")[:, :width]
     grid = np.concatenate([points[order], _other(task, axis, angles)[:, None], angles[:, None]], axis=1)

@@ -64,7 +64,7 @@ def run_begins(path: OffsetPath) -> Bools:
     return np.asarray(begins)
 
 
-def allowed(before: Floats, after: Floats, max_tilt: float, axis: Floats) -> Bools:
+def is_allowed(before: Floats, after: Floats, max_tilt: float, axis: Floats) -> Bools:
     """Whether unit ``axis`` (3, m, k) is within ``max_tilt`` rad of the range between ``before`` and
     ``after`` (k, 3): (m, k).
 

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, forward
 
 from .blocks import QUARTERS, Ends, Ring, States, bow, states
-from .rows import Rows, allowed
+from .rows import Rows, is_allowed
 
 DOUBLINGS = 4
 """The deviation counts with the power 2 ** (this + 1), 32. Of 50 blocks that are all at the level, such a sum
@@ -99,7 +99,7 @@ def usable(task: Task, at: Rows, grid: Floats, there: States) -> Bools:
     """Which states (m, k) the limits and the row's range allow; ``grid`` (2, m, k) rad."""
     low, high = task.kinematics.low[3:, None, None], task.kinematics.high[3:, None, None]
     good = ((grid >= low) & (grid <= high)).all(0) & (np.abs(np.sin(grid[1] - task.pair.best)) > POLE)
-    good &= allowed(at.before, at.after, task.max_tilt, there.axis)
+    good &= is_allowed(at.before, at.after, task.max_tilt, there.axis)
     return np.asarray(good if task.ring is None else good & _in_front(task.ring, there.axis))
 
 

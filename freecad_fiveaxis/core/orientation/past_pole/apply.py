@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.sentences import Angle, Turn, say
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
-from .choice import ReroutedAxes, near_polylines, rerouted_axes
+from .choice import ReroutedAxes, near_polylines, reroute_axes
 from .drive import starts
 from .meridian import Globe, angle_between
 
@@ -48,7 +48,7 @@ def deform_axes(
     out of range, ReachError for axes beyond the machine's limits.
     """
     check_change(max_change)
-    found = rerouted_axes(offset, np.asarray(axis, float), kinematics, max_change, progress)
+    found = reroute_axes(offset, np.asarray(axis, float), kinematics, max_change, progress)
     if found is None:
         return axis, ()
     return found.axis, _findings(offset, axis, kinematics, found, max_change)

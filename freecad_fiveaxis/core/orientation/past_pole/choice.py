@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 from .drive import Figures, drive, figures, starts
 from .meridian import Globe
-from .rerouting import Given, Route, given, lead, mirrored, peak_rate
+from .rerouting import Given, Route, describe_polyline, lead, mirror_branch, peak_rate
 
 NEAR = 3.0
 """Passes that come within so many allowed changes of the pole are led, if that makes them better."""
@@ -78,7 +78,7 @@ def near_polylines(offset: OffsetPath, axis: Floats, globe: Globe, angle: float)
     return np.asarray(np.minimum.reduceat(near, begin) <= math.sin(min(angle, 0.5 * math.pi)))
 
 
-def rerouted_axes(
+def reroute_axes(
     offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, progress: Progress = silent
 ) -> ReroutedAxes | None:
     """Return the axes (n, 3) led within ``change`` rad as in :func:`~.past_pole.apply.deform_axes`, with the
@@ -92,10 +92,10 @@ def rerouted_axes(
     dropped: list[set[int]] = [set() for _ in attempts]
     for round_ in range(2 * ROUNDS):
         progress("driving what is led", round_ / (2 * ROUNDS))
-        chosen = _chosen(attempts, dropped)
-        tried, rerouted = _assembled(axis, attempts, chosen, len(near))
+        chosen = _choose_ways(attempts, dropped)
+        tried, rerouted = _assemble_axes(axis, attempts, chosen, len(near))
         after = figures(offset, drive(offset, tried, kinematics)) if chosen else before
-        failed = _failed(attempts, chosen, rerouted, before, after)
+        failed = _find_failed(attempts, chosen, rerouted, before, after)
         if not failed:
             return ReroutedAxes(tried, near, rerouted, before, after)
         for number, routes in failed.items():
@@ -121,7 +121,7 @@ def _attempts(
     for count, line in enumerate(np.flatnonzero(near).tolist()):
         progress("leading past the pole", count / int(near.sum()))
         rows = slice(int(begin[line]), int(end[line]))
-        polyline = given(globe, axis[rows], offset.centre[rows], offset.fill[rows], word[rows])
+        polyline = describe_polyline(globe, axis[rows], offset.centre[rows], offset.fill[rows], word[rows])
         attempt = Attempt(line, rows, polyline, (), False)
         attempts.append(_with_ways(attempt, offset, kinematics, globe, change))
     return attempts
@@ -133,7 +133,7 @@ def _with_ways(
     """Return the attempt with more ways: up to one that is low enough, where parity says nothing; or all."""
     line, routes = attempt.line, [*attempt.routes]
     known = len(routes)
-    for parity, polyline in [(0, line)] if globe.straight else [(0, line), (1, mirrored(line))]:
+    for parity, polyline in [(0, line)] if globe.straight else [(0, line), (1, mirror_branch(line))]:
         for route in lead(globe, polyline, change) if len(line.word) > 1 else ():
             if any(np.allclose(route.axis, other.axis, atol=SAME_AXIS, rtol=0.0) for _, other in routes):
                 continue
@@ -162,7 +162,7 @@ def _usable(offset: OffsetPath, kinematics: Chain, rows: slice, route: Floats) -
     )
 
 
-def _chosen(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
+def _choose_ways(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
     """Return the number of the best way left of each attempt that has one, by the attempt's number; a way for
     the parity that the ways before leave, if there is one."""
     parity, chosen = 0, {}
@@ -175,7 +175,7 @@ def _chosen(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
     return chosen
 
 
-def _assembled(
+def _assemble_axes(
     axis: Floats, attempts: list[Attempt], chosen: dict[int, int], count: int
 ) -> tuple[Floats, Bools]:
     """Return the axes with the chosen ways, and which of ``count`` polylines are led."""
@@ -186,7 +186,7 @@ def _assembled(
     return tried, rerouted
 
 
-def _failed(
+def _find_failed(
     attempts: list[Attempt], chosen: dict[int, int], rerouted: Bools, before: Figures, after: Figures
 ) -> dict[int, set[int]]:
     """Return the ways that have to go, by attempt: those that are no better, or that the machine drives on

@@ -93,7 +93,7 @@ def leash_of(along: Floats, rate: Floats) -> Floats:
     return np.concatenate([[0.0], np.cumsum(rate * np.diff(along))])
 
 
-def evened(leash: Floats, word: Floats, low: Floats, high: Floats) -> Floats:
+def even_out_word(leash: Floats, word: Floats, low: Floats, high: Floats) -> Floats:
     """Return a word (n,) between the bounds and on the leash, one that exists: the given one where that turns
     no faster.
 

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.ranges import OFF_POLE
 from freecad_fiveaxis.core.base.records import Bools, Floats
 
 from .drive import SHORT
-from .even_word import cut_length, evened, laziest, leash_of, least_rates
+from .even_word import cut_length, even_out_word, laziest, leash_of, least_rates
 from .meridian import TURN, Globe, angle_between, runs
 
 ZONE = 12.0
@@ -49,14 +49,14 @@ class Given:
     closed: bool
 
 
-def given(globe: Globe, axis: Floats, centre: Floats, fill: Bools, word: Floats) -> Given:
+def describe_polyline(globe: Globe, axis: Floats, centre: Floats, fill: Bools, word: Floats) -> Given:
     """Return the polyline with that axis (n, 3), ball centre (n, 3) mm, fill (n,) and first rotary word (n,)
     rad."""
     closed = bool(np.abs(centre[0] - centre[-1]).max() < CLOSED)
     return Given(axis, cut_length(centre, fill), word, globe.side(axis, word), closed)
 
 
-def mirrored(line: Given) -> Given:
+def mirror_branch(line: Given) -> Given:
     """Return the polyline taken up on the other branch. On a machine of orthogonal axes it is led the same
     way; a nutating axis turns the first one along with it, on either branch in another sense."""
     return replace(line, word=line.word - 2.0 * line.side, side=-line.side)
@@ -81,7 +81,7 @@ def lead(globe: Globe, line: Given, change: float) -> Iterator[Route]:
     away from the pole before the one that turns least all along. Each is made when it is asked for."""
     allowed = change - OFF_POLE
     for through in (True, False):
-        word, side = _met(globe, line, allowed, through)
+        word, side = _meet_encounters(globe, line, allowed, through)
         below, above = globe.room(line.axis, side, allowed)
         if line.closed:
             below[[0, -1]] = above[[0, -1]] = 0.0
@@ -91,7 +91,7 @@ def lead(globe: Globe, line: Given, change: float) -> Iterator[Route]:
             yield from (
                 route
                 for zone in (ZONE, math.inf)
-                if (route := _rerouted(globe, line, met, change, zone)) is not None
+                if (route := _reroute_line(globe, line, met, change, zone)) is not None
             )
         if np.array_equal(side, line.side):  # nothing to go through
             return
@@ -109,11 +109,11 @@ class Met:
     leash: Floats
 
 
-def _rerouted(globe: Globe, line: Given, met: Met, change: float, zone: float) -> Route | None:
+def _reroute_line(globe: Globe, line: Given, met: Met, change: float, zone: float) -> Route | None:
     """Return the way that keeps to the given axes beyond ``zone`` changes from the pole; None where that
     changes nothing."""
-    low, high = _kept(globe, line, zone * change, met)
-    rerouted = evened(
+    low, high = _bound_word(globe, line, zone * change, met)
+    rerouted = even_out_word(
         met.leash, laziest(low, high, float(met.word[0])), met.word - met.below, met.word + met.above
     )
     moved = np.flatnonzero(np.abs(rerouted - met.word) > SAME_WORD)
@@ -130,7 +130,7 @@ def peak_rate(along: Floats, word: Floats) -> float:
     return float((np.abs(np.diff(word)) / np.maximum(np.diff(along), SHORT)).max())
 
 
-def _kept(globe: Globe, line: Given, reach: float, met: Met) -> tuple[Floats, Floats]:
+def _bound_word(globe: Globe, line: Given, reach: float, met: Met) -> tuple[Floats, Floats]:
     """Return the least and the most (n,) that the word may be to turn less: all its room next to the pole,
     none ``reach`` rad off it."""
     if reach == math.inf:
@@ -151,7 +151,7 @@ def _gentle_rate(globe: Globe, line: Given, change: float) -> float:
     return GENTLE * max(mean, CLOSED) / (ZONE**2 * change)
 
 
-def _met(globe: Globe, line: Given, change: float, through: bool) -> tuple[Floats, Floats]:
+def _meet_encounters(globe: Globe, line: Given, change: float, through: bool) -> tuple[Floats, Floats]:
     """Return the words and sides (n,) by which the given axes are taken up when every encounter is passed the
     shorter way."""
     near = globe.approach(line.axis)
@@ -161,7 +161,7 @@ def _met(globe: Globe, line: Given, change: float, through: bool) -> tuple[Float
         turn, swap = _shorter(line, side, first, last, through)
         if swap:
             side[at + 1 :] *= -1.0
-        step[first:] = _nearest(np.diff(_taken(line, side)[first:]))
+        step[first:] = _nearest(np.diff(_take_up_axes(line, side)[first:]))
         step[at] += turn - step[first:last].sum()
     return line.word[0] + np.concatenate([[0.0], np.cumsum(step)]), side
 
@@ -183,13 +183,13 @@ def _encounters(near: Floats, change: float) -> list[tuple[tuple[int, int], tupl
 def _shorter(line: Given, side: Floats, first: int, last: int, through: bool) -> tuple[float, bool]:
     """Return the least turn of the first word from row ``first`` to row ``last``, and whether it is one that
     changes the branch."""
-    word = _taken(line, side)
+    word = _take_up_axes(line, side)
     stay = float(_nearest(np.array([word[last] - word[first]]))[0])
     swap = float(_nearest(np.array([word[last] - 2.0 * side[last] - word[first]]))[0])
     return (swap, True) if through and abs(swap) < abs(stay) else (stay, False)
 
 
-def _taken(line: Given, side: Floats) -> Floats:
+def _take_up_axes(line: Given, side: Floats) -> Floats:
     """Return the words that take up the given axes on these sides, on any winding."""
     return line.word - line.side + side
 

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.ranges import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
-from freecad_fiveaxis.core.base.sentences import Angle, Length, Sentence, Turn, joined, say
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Sentence, Turn, join_sentences, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.tool.barrel import Flank
@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.toolpath.cl_offset import hub_positions
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, take_path_rows
 
 from .apply import check_change
-from .choice import NEAR, near_polylines, rerouted_axes
+from .choice import NEAR, near_polylines, reroute_axes
 from .drive import drive, figures, starts
 from .meridian import Globe, angle_between
 
@@ -109,14 +109,14 @@ def trade_off(
     table = []
     for count, change in enumerate(allowed):
         progress("trade of axis change", count / len(allowed))
-        rerouted = rerouted_axes(offset, axis, kinematics, change) if change else None
+        rerouted = reroute_axes(offset, axis, kinematics, change) if change else None
         corrected, passes = (axis, 0) if rerouted is None else (rerouted.axis, int(rerouted.rerouted.sum()))
         table.append(
             (
                 change,
                 float(angle_between(corrected, axis).max()),
                 passes,
-                *_driven(offset, corrected, kinematics, tolerance, (radius, ring, barrel)),
+                *_drive_moves(offset, corrected, kinematics, tolerance, (radius, ring, barrel)),
             )
         )
     return Trade(*(np.array(column) for column in zip(*table, strict=True)))
@@ -156,7 +156,7 @@ def trade_findings(
         change=Angle(math.degrees(change), ".3g"),
         letter=kinematics.letters[3],
         tolerance=Length(tolerance),
-        rows=joined(_rows(trade), "; "),
+        rows=join_sentences(_rows(trade), "; "),
     )
     return (report_finding(Code.AXIS_CHANGE_TRADE, text, math.degrees(change)),)
 
@@ -184,7 +184,7 @@ def _near(offset: OffsetPath, axis: Floats, kinematics: Chain, angle: float) -> 
     return take_path_rows(offset, rows), axis[rows]
 
 
-def _driven(
+def _drive_moves(
     offset: OffsetPath,
     axis: Floats,
     kinematics: Chain,

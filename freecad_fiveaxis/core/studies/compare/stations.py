@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, SettingsError
-from freecad_fiveaxis.core.base.number_text import rounded
+from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
@@ -208,7 +208,7 @@ def _unguided(where: Station, name: str, joints: JointPath, program: Program, de
 
 def _guided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:
     feeds, row, dialect = feed_blocks(program), program.row, where.posting.dialect
-    tip = np.stack([rounded(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
+    tip = np.stack([round_as_printed(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
     guided = guide(
         where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row]
     )

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Sentence, plural, say
-from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
 
@@ -139,7 +139,7 @@ def _cells(row: Row) -> list[str]:
 
 
 def _rate(row: Row, column: int) -> str:
-    if column not in fitted_columns(row.letters):
+    if column not in find_physical_columns(row.letters):
         return "-"
     return f"{row.letters[column]} {math.degrees(row.peak_rate[column]):.0f}"
 
@@ -151,7 +151,8 @@ def _record(row: Row) -> dict[str, object]:
         "bound": row.bound,
         "axis_deviation_deg": math.degrees(row.axis_deviation), "blocks": row.blocks,
         "feed_blocks": row.feed_blocks,
-        "time_s": row.time, "peak_rate": {row.letters[k]: rates[k] for k in fitted_columns(row.letters)},
+        "time_s": row.time,
+        "peak_rate": {row.letters[k]: rates[k] for k in find_physical_columns(row.letters)},
         "over_limits": row.over,
         "problem": row.problem,
     }  # fmt: skip

@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Length, Sentence, joined, say
-from freecad_fiveaxis.core.geometry.facet_tree import planted
+from freecad_fiveaxis.core.base.sentences import Length, Sentence, join_sentences, say
+from freecad_fiveaxis.core.geometry.facet_tree import build_facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.geometry.solids import box_facets
 from freecad_fiveaxis.core.gouge.fixtures import check_fixtures
@@ -86,7 +86,7 @@ def _jaw(
     step = count
     while entered - free > 1:
         low, high = jaw_corners(box, axis, out, thick, top - (count - step) * STEP)
-        tree = planted(from_triangles(box_facets(low, high)))
+        tree = build_facet_tree(from_triangles(box_facets(low, high)))
         found = first_entries(tree, body, run.swept, run.stand.tolerance, suspects, progress)
         free, entered = (free, step) if len(found) else (step, entered)
         suspects = found if len(found) else suspects
@@ -112,7 +112,7 @@ def clamping_findings(found: Clamping | None) -> Iterator[Finding]:
         return
     yield from found.hits
     able = [jaw.top for jaw in found.jaws if jaw.top is not None]
-    sides = joined([_words(jaw) for jaw in found.jaws], ", ")
+    sides = join_sentences([_words(jaw) for jaw in found.jaws], ", ")
     text = say(
         "Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its "
         "work zero: {sides}.",

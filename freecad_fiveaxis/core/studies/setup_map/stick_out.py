@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Ints
-from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
 from freecad_fiveaxis.core.tool.text import cutter_text
@@ -205,7 +205,9 @@ def stick_out_findings(found: StickOut | None) -> Iterator[Finding]:
             present=present, longest=Length(found.longest, ".6g"),
         )  # fmt: skip
         last = say("Use a smaller holder, lean the tool otherwise, or clamp the part otherwise.")
-        yield report_finding(Code.NO_STICK_OUT_FREE, joined((text, _met_words(met), last)), found.longest)
+        yield report_finding(
+            Code.NO_STICK_OUT_FREE, join_sentences((text, _met_words(met), last)), found.longest
+        )
         return
     yield _enough_finding(found, found.enough)
 
@@ -214,13 +216,13 @@ def _enough_finding(found: StickOut, least: float) -> Finding:
     enough, present, given = Length(least, ".6g"), Length(found.present, ".6g"), _option_words(found)
     if found.met is not None:
         text = say("Tool stick-out: {enough} are needed, {present} are set.", enough=enough, present=present)
-        text = joined((text, _met_words(found.met), given))
+        text = join_sentences((text, _met_words(found.met), given))
         return report_finding(Code.STICK_OUT_TOO_SHORT, text, least, found.present)
     if given:
         text = say("Tool stick-out: {enough} are enough, {present} are set.", enough=enough, present=present)
     else:
         text = say("Tool stick-out: the {present} that are set are the least.", present=present)
-    return report_finding(Code.STICK_OUT_ENOUGH, joined((text, given, _shorter_words(found))), least)
+    return report_finding(Code.STICK_OUT_ENOUGH, join_sentences((text, given, _shorter_words(found))), least)
 
 
 def _option_words(found: StickOut) -> Sentence | str:
@@ -231,7 +233,7 @@ def _option_words(found: StickOut) -> Sentence | str:
         else say("no {option}", option=Option(name))
         for name, value in found.options
     ]
-    return say("Give {options}.", options=joined(parts, ", ")) if parts else ""
+    return say("Give {options}.", options=join_sentences(parts, ", ")) if parts else ""
 
 
 def _shorter_words(found: StickOut) -> Sentence | str:

@@ -143,10 +143,10 @@ def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[
         + here * (np.cos(angle) * out[of] + np.sin(angle) * ahead[of])
     )
     row = arcs.row[of]
-    return row, place, _turned_evenly(axis[row - 1], axis[row], share)
+    return row, place, _turn_evenly(axis[row - 1], axis[row], share)
 
 
-def _turned_evenly(first: Floats, last: Floats, share: Floats) -> Floats:
+def _turn_evenly(first: Floats, last: Floats, share: Floats) -> Floats:
     """Return the axes (m, 3) at ``share`` (m, 1) of the great arc between ``first`` and ``last`` (m, 3);
     opposite ones stay first."""
     opposite = np.linalg.norm(first + last, axis=1, keepdims=True) <= NO_DIRECTION

@@ -83,7 +83,7 @@ def cycle_of(rest: str) -> Cycle | None:
         or (len(kinds) == 2 and (kinds[0] != "DRILL" or kinds[1] not in OF_DRILL))
     ):
         return None
-    stated = _stated(parts[len(kinds) :])
+    stated = _read_numbers(parts[len(kinds) :])
     if stated is None or len(stated.get("clear", ())) != 1:
         return None
     depth = _depth(stated)
@@ -114,7 +114,7 @@ def cycle_of(rest: str) -> Cycle | None:
     )
 
 
-def _stated(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
+def _read_numbers(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
     """Return the numbers behind each word; None where a word is not known, has none, or stands twice."""
     stated: dict[str, tuple[float, ...]] = {}
     k = 0
@@ -186,7 +186,7 @@ def way(cycle: Cycle, scale: float) -> list[tuple[float, bool]]:
     return [*depths, (clear, True)] if cycle.fed_out and cycle.out is not None else depths
 
 
-def left_at(cycle: Cycle, how: float) -> Cycle:
+def set_leaving(cycle: Cycle, how: float) -> Cycle:
     """Return the cycle with what ``how`` (of ``LEAVING``, 0: nothing) says of where its holes are left."""
     if how == words.LEAVING["CLEAR"]:
         return replace(cycle, out=None)

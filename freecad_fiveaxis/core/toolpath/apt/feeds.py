@@ -12,13 +12,13 @@ from .source import Source
 from .statements import Kind, Statements
 
 
-def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
+def hold_last(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
     """Return the value of the last event at or before each row; ``at`` (e,) rises; ``first`` before all of
     them."""
     return np.concatenate([[first], value])[np.searchsorted(at, rows, side="right")]
 
 
-def stated_feeds(statements: Statements, scale: Floats, source: Source) -> tuple[Ints, Floats]:
+def read_feeds(statements: Statements, scale: Floats, source: Source) -> tuple[Ints, Floats]:
     """Return the rows of ``statements`` with a FEDRAT, and the feeds in mm/min; ``scale`` mm of the unit at
     each statement. Raises ProgramError for a feed per turn of no spindle."""
     at = statements.of(Kind.FEED)
@@ -35,7 +35,7 @@ def per_minute(
     spindle = statements.of(Kind.SPINDLE)
     speed = statements.value(spindle)
     going = ~np.isnan(speed)
-    turns = held(statements.statement[spindle[going]], speed[going], 0.0, statements.statement[at])
+    turns = hold_last(statements.statement[spindle[going]], speed[going], 0.0, statements.statement[at])
     lost = np.flatnonzero(turn & ~(turns > 0.0))
     if len(lost):
         k = int(statements.statement[at[lost[0]]])

@@ -33,14 +33,14 @@ def find_poor_spots(
     """Return the findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its
     moves, ``fed`` (n,) which of them need one."""
     found = [
-        *_passed_over(source, statements),
+        *_report_passed_over(source, statements),
         *_frames(source, statements),
         *_compensation(source, statements),
     ]
     return (*found, *_rows(source, statements, moves, length, speed, fed))
 
 
-def _passed_over(source: Source, statements: Statements) -> Iterator[Finding]:
+def _report_passed_over(source: Source, statements: Statements) -> Iterator[Finding]:
     """One finding for each word that is not interpreted, in the order in which they first stand."""
     at = statements.of(Kind.UNKNOWN)
     names = [

@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import plural, say
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-from .cycles import Cycle, cycle_of, left_at, way
-from .feeds import held, per_minute
+from .cycles import Cycle, cycle_of, set_leaving, way
+from .feeds import hold_last, per_minute
 from .rows import Put, Rows
 from .source import Source
 from .statements import Kind, Statements
@@ -65,10 +65,12 @@ def read_holes(
     row = np.flatnonzero(on & plain)
     at = at[row]
     leaving = statements.of(Kind.LEAVING)
-    leaves = held(statements.row[leaving], statements.value(leaving), 0.0, row)
+    leaves = hold_last(statements.row[leaving], statements.value(leaving), 0.0, row)
     pairs, group = np.unique(np.stack([statements.which[at], scale[at], leaves]), axis=1, return_inverse=True)
     cycles = [
-        (left_at(one, how), float(mm)) for which, mm, how in pairs.T if (one := cycle[int(which)]) is not None
+        (set_leaving(one, how), float(mm))
+        for which, mm, how in pairs.T
+        if (one := cycle[int(which)]) is not None
     ]
     group = group.reshape(-1)
     holes = Holes(row, group, cycles, _feeds(statements, at, group, cycles, rate[row], scale, source))
@@ -93,7 +95,7 @@ def _feeds(
     return feed
 
 
-def drilled(rows: Rows, holes: Holes) -> tuple[Rows, Put]:
+def drill_holes(rows: Rows, holes: Holes) -> tuple[Rows, Put]:
     """Return the rows of the moves, those of holes where the tool leaves them; and the rows to be put in
     before: over, and down."""
     if not len(holes.row):
@@ -106,7 +108,7 @@ def drilled(rows: Rows, holes: Holes) -> tuple[Rows, Put]:
     motion[holes.row] = np.where(fed_out, Motion.CUT, Motion.RAPID)
     speed[holes.row] = np.where(fed_out, holes.feed, 0.0)
     left = replace(rows, tip=tip, motion=motion, speed=speed)
-    return left, Put.joined([_over(left, holes, point, axis), *_ways(holes, point, axis)])
+    return left, Put.join([_over(left, holes, point, axis), *_ways(holes, point, axis)])
 
 
 def _clear(holes: Holes) -> Floats:

@@ -54,17 +54,17 @@ def read_moves(source: Source, turned_at: Ints, turned: Floats) -> Moves:
         rows = source.move_rows(word)
         begin[rows] += len(word)
         allowed[rows[:, None] & np.isin(np.arange(MOST + 1), counts)] = True
-    chosen = source.chosen(begin, source.end[at])
+    chosen = source.take_lines(begin, source.end[at])
     commas = np.searchsorted(np.flatnonzero(chosen == ord(",")), np.flatnonzero(chosen == ord("\n")))
     count = np.diff(commas, prepend=0) + 1
     value = _floats(chosen)
     right = allowed[np.arange(len(at)), np.minimum(count, MOST)]
     if value is None or len(value) != count.sum() or not right.all():
         _explain(source)
-    return _sorted_out(value, count, source, turned_at, turned)
+    return _sort_out_moves(value, count, source, turned_at, turned)
 
 
-def _sorted_out(value: Floats, count: Ints, source: Source, turned_at: Ints, turned: Floats) -> Moves:
+def _sort_out_moves(value: Floats, count: Ints, source: Source, turned_at: Ints, turned: Floats) -> Moves:
     first, full = np.cumsum(count) - count, count == 6
     along = count == 1
     point = value[np.minimum(first[:, None] + (0, 1, 2), len(value) - 1)]

@@ -23,10 +23,10 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 from .arc_reading import chords
-from .feeds import held, stated_feeds
+from .feeds import hold_last, read_feeds
 from .findings import find_poor_spots, units_findings
 from .head import ClHead
-from .holes import drilled, read_holes, with_feeds
+from .holes import drill_holes, read_holes, with_feeds
 from .poses import Moves, places, read_moves
 from .reading import ClReading
 from .rows import Put, Rows
@@ -67,11 +67,11 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     moves, tools = _moves(source, statements), tools_of(source, statements)
     if reading.tool is not None:
         kept = only(source, statements, tools, reading.tool)
-        moves, source = moves.take(kept[source.move_at]), source.kept(kept)
+        moves, source = moves.take(kept[source.move_at]), source.take(kept)
         statements = read_statements(source)
     progress("reading CL", 0.8)
     units = statements.of(Kind.UNITS)
-    scale = held(
+    scale = hold_last(
         statements.statement[units], statements.value(units), reading.scale, np.arange(len(source.begin))
     )
     path = _path(source, statements, moves, scale, reading)
@@ -89,15 +89,15 @@ def _path(source: Source, statements: Statements, moves: Moves, scale: Floats, r
     axis, mm = moves.axis / length[:, None], scale[source.move_at]
     tip, motion = places(moves, axis, mm, source), _motion(source, statements, len(length))
     scale = scale[statements.statement]
-    at, rate = stated_feeds(statements, scale, source)
-    rated = held(statements.row[at], rate, reading.feed, np.arange(len(length)))
+    at, rate = read_feeds(statements, scale, source)
+    rated = hold_last(statements.row[at], rate, reading.feed, np.arange(len(length)))
     each = Rows(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, rated))
     holes, of_holes = read_holes(source, statements, rated, scale)
     findings = find_poor_spots(source, statements, moves, length, *with_feeds(each, holes)) + of_holes
     with np.errstate(over="ignore", invalid="ignore"):  # rows beyond all bounds fit no arc
-        each, drilling = drilled(each, holes)
+        each, drilling = drill_holes(each, holes)
         turning, of_arcs = chords(source, statements, each, mm, reading.chord, holes.row)
-    located = each.with_put(Put.joined([drilling, turning]))
+    located = each.with_put(Put.join([drilling, turning]))
     none, runs = np.full(len(located.tip), -1), _runs(located.motion)
     return CLPath(
         located.tip,
@@ -121,7 +121,7 @@ def _moves(source: Source, statements: Statements) -> Moves:
 
 def _motion(source: Source, statements: Statements, rows: int) -> Bytes:
     links = statements.of(Kind.LINK)
-    link = held(statements.row[links], statements.value(links), 0.0, np.arange(rows)) > 0.0
+    link = hold_last(statements.row[links], statements.value(links), 0.0, np.arange(rows)) > 0.0
     rapid = source.move_rows(b"FROM/")
     one_shot = statements.row[statements.of(Kind.RAPID)]
     rapid[one_shot[one_shot < rows]] = True

@@ -55,7 +55,7 @@ class Put:
         return Put(at, tip, axis, np.full(len(at), Motion.RAPID, np.int8), np.zeros(len(at)))
 
     @staticmethod
-    def joined(parts: Iterable[Put]) -> Put:
+    def join(parts: Iterable[Put]) -> Put:
         """All of them; of those before one row, the rows of the first part come first."""
         every = list(parts)
         return Put(

@@ -74,7 +74,7 @@ class Source:
         """Return the text of statement k."""
         return self.text[self.begin[k] : self.end[k]].replace(SOFT, b"").decode("latin-1")
 
-    def chosen(self, begin: Ints, end: Ints) -> NDArray[Any]:
+    def take_lines(self, begin: Ints, end: Ints) -> NDArray[Any]:
         """Return the bytes from each ``begin`` up to and with its end of line, one after the other, as
         codes."""
         edge = np.zeros(len(self.code) + 1, np.int8)
@@ -105,7 +105,7 @@ class Source:
             part,
         )
 
-    def kept(self, statements: Bools) -> Source:
+    def take(self, statements: Bools) -> Source:
         """Return the same text with some of its statements (s,) alone."""
         selected = copy(self)
         selected.begin, selected.end, selected.line = (

@@ -100,7 +100,7 @@ def read_statements(source: Source) -> Statements:
     """All statements that are no moves. Raises ProgramError, naming line and column, for one that must be
     known and is not."""
     at = np.flatnonzero(~source.moves)
-    text = source.chosen(source.begin[at], source.end[at]).tobytes().replace(SOFT, b"")
+    text = source.take_lines(source.begin[at], source.end[at]).tobytes().replace(SOFT, b"")
     every = text.split(b"\n")[: len(at)]
     number = {statement: k for k, statement in enumerate(dict.fromkeys(every))}
     which = np.fromiter(map(number.__getitem__, every), np.int64, len(every))

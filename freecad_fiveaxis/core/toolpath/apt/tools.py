@@ -58,7 +58,7 @@ def tools_of(source: Source, statements: Statements) -> Tools:
 
 
 def _by_number(source: Source, statements: Statements, at: Ints) -> Tools:
-    return _held(
+    return _hold_tools(
         source,
         statements,
         at,
@@ -75,10 +75,12 @@ def _by_name(source: Source, statements: Statements, names: list[str]) -> Tools:
         name: k for k, name in enumerate(dict.fromkeys(names[which] for which in statements.which[at]), 1)
     }
     number = np.array([order[names[which]] for which in statements.which[at]], np.int64)
-    return _held(source, statements, at, number, {k: name for name, k in order.items()})
+    return _hold_tools(source, statements, at, number, {k: name for name, k in order.items()})
 
 
-def _held(source: Source, statements: Statements, at: Ints, number: Ints, names: dict[int, str]) -> Tools:
+def _hold_tools(
+    source: Source, statements: Statements, at: Ints, number: Ints, names: dict[int, str]
+) -> Tools:
     """Each move's tool: the last one named before it, the first one where none is."""
     moves = len(source.move_at)
     used = statements.row[at] < moves

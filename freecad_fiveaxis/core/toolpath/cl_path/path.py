@@ -163,7 +163,7 @@ def link_passes(
     links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last), _highest(axis))
     progress("linking passes", 0.5)
     return replace(
-        _merged(path, axis, first, links, cutter, options),
+        _merge_links(path, axis, first, links, cutter, options),
         findings=() if options.turning else _below(leave, enter),
     )
 
@@ -207,7 +207,7 @@ def _links(
     return _Links(gap, centre[gap, slot], axis[gap, slot], motion, goes_on)
 
 
-def _merged(
+def _merge_links(
     path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: Cutter, options: LinkOptions
 ) -> CLPath:
     """Return the rows of the path and the rows between its polylines, which begin at ``start``, each at its

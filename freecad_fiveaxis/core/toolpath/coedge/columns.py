@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.passes import ContactPath
 
-from .junction import CHUNK, Rows, Segments, chosen, direction
+from .junction import CHUNK, Rows, Segments, direction, pick_plain_rows
 from .rows import NO_ROWS, Closed
 
 
@@ -58,15 +58,15 @@ class Columns:
         rows, start = self.parts[number].rows, self.start[number]
         for low in range(0, len(rows.base), CHUNK):
             part = slice(low, min(low + CHUNK, len(rows.base)))
-            self._write(slice(start + part.start, start + part.stop), chosen(rows, part))
+            self._write(slice(start + part.start, start + part.stop), pick_plain_rows(rows, part))
         where = slice(start, start + len(rows.base))
         self._lift(where, rows)
         self._number_polylines(where, number)
 
     def _write(self, where: slice, rows: Rows) -> None:
         segments, contact, labels = self.segments, self.contact, self.labels
-        point = _gathered(segments.point, rows.base, self.vectors["point"][:, where])
-        normal = _gathered(segments.normal, rows.base, self.vectors["normal"][:, where])
+        point = _gather_columns(segments.point, rows.base, self.vectors["point"][:, where])
+        normal = _gather_columns(segments.normal, rows.base, self.vectors["normal"][:, where])
         normal *= rows.w1
         normal += rows.w2 * segments.normal.take(2 * rows.far, axis=1)
         self._add_travel(point, rows, rows.shift)
@@ -74,7 +74,7 @@ class Columns:
         centre = np.multiply(rows.reach, normal, out=self.vectors["centre"][:, where])
         centre += point
         for name, side in (("before", rows.left), ("after", rows.right)):
-            _gathered(segments.normal, 2 * side, self.vectors[name][:, where])
+            _gather_columns(segments.normal, 2 * side, self.vectors[name][:, where])
             segments.length.take(side, out=self.lengths[f"step_{name}"][where], mode="clip")
         for name in ("face", "coedge", "pass_"):
             getattr(contact, name).take(rows.base, out=labels[name][where], mode="clip")
@@ -109,7 +109,7 @@ class Columns:
             self.fill[where] &= ~begins
 
 
-def _gathered(table: Floats, index: Ints, out: Floats) -> Floats:
+def _gather_columns(table: Floats, index: Ints, out: Floats) -> Floats:
     """Columns ``index`` (k,) of ``table`` (3, n) into ``out`` (3, k), row by row: numpy copies an ``out``
     with gaps twice."""
     for row, target in zip(table, out, strict=True):

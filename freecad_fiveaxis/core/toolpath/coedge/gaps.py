@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.passes import ContactPath
 
 from .columns import Columns
 from .junction import Segments, find_segments, groups
-from .rows import Closed, closed_rows, row_begins
+from .rows import Closed, close_rows, row_begins
 
 NOTABLE = 0.01
 """mm cut into the part or left on it before it is worth a finding: a usual finishing tolerance."""
@@ -141,7 +141,7 @@ def close_gaps(
     segments = find_segments(contact)
 
     def close(group: Segments) -> Closed:
-        return closed_rows(group, radius, tolerance, cut)
+        return close_rows(group, radius, tolerance, cut)
 
     parts = in_threads(close, groups(segments), lambda done: progress("closing co-edges", 0.5 * done))
     columns = Columns(contact, segments, parts)

@@ -131,7 +131,7 @@ class Rows(NamedTuple):
     centre: Floats
 
 
-def chosen(rows: Rows, which: slice | Ints) -> Rows:
+def pick_plain_rows(rows: Rows, which: slice | Ints) -> Rows:
     """Return some of the rows, without what is said of lifted ones."""
     columns = [column[which] if isinstance(which, slice) else column.take(which) for column in rows[:-2]]
     return Rows._make([*columns, np.empty(0, np.int64), np.empty((3, 0))])

@@ -14,7 +14,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Ints, run_ids
 
-from .junction import CHUNK, Junctions, Rows, Segments, chosen, find_junctions, junction_rows
+from .junction import CHUNK, Junctions, Rows, Segments, find_junctions, junction_rows, pick_plain_rows
 from .trimming import Trimmed, find_used_up, trim_polylines
 
 NO_ROWS = np.empty(0, np.int64)
@@ -40,7 +40,7 @@ class _Numbered(NamedTuple):
     rows: Rows
 
 
-def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None) -> Closed:
+def close_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None) -> Closed:
     """Return the rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of
     the others no row stays, nor a row that has no neighbour left."""
     junctions = find_junctions(segments, radius, tolerance, cut)
@@ -61,7 +61,7 @@ def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools 
         found = _with_tight(easy, segments, place, trimmed)
         order = np.argsort(found.number, kind="stable")
     if cut is None:
-        return Closed(_picked(found.rows, order), None, trimmed)
+        return Closed(_pick_rows(found.rows, order), None, trimmed)
     rows, begins, beside, wall = _lasting(found, order, cut)
     return Closed(rows, begins, trimmed, beside, wall)
 
@@ -152,9 +152,9 @@ def _with_tight(easy: _Numbered, segments: Segments, place: Ints, trimmed: Trimm
     )
 
 
-def _picked(rows: Rows, index: Ints) -> Rows:
+def _pick_rows(rows: Rows, index: Ints) -> Rows:
     """Return the rows ``index`` (k,), in that order."""
-    picked = chosen(rows, index)
+    picked = pick_plain_rows(rows, index)
     if not len(rows.lifted):
         return picked
     place = np.full(len(rows.base), -1)
@@ -184,7 +184,7 @@ def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools, In
     beside = np.flatnonzero(touches.take(kept))
     at = kept[beside]
     wall = np.where(left[at], rows.right[at], rows.left[at])
-    return _picked(rows._replace(left=one, right=two), kept), begins[lasting], beside, wall
+    return _pick_rows(rows._replace(left=one, right=two), kept), begins[lasting], beside, wall
 
 
 def row_begins(number: Ints, line: Ints) -> Bools:

@@ -193,7 +193,7 @@ def _rows(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools |
     shift = np.where(real & ~spot.flat, np.where(spot.ending, t - segments.length[segment], t), 0.0)
     base = 2 * segment + (spot.ending | ~real)
     lifted = np.flatnonzero(spot.lift >= 0)
-    centre = _lifted(chords, spot.chord[lifted], spot.lift[lifted])
+    centre = _lift_corner(chords, spot.chord[lifted], spot.lift[lifted])
     rows = Rows(base, far, spot.left, spot.right, w1, w2, w3, reach, shift, spot.fill, lifted, centre)
     return rows, segments.line[at]
 
@@ -240,7 +240,7 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools 
     return _Spot(*interleaved)
 
 
-def _lifted(chords: Chords, one: Ints, two: Ints) -> Floats:
+def _lift_corner(chords: Chords, one: Ints, two: Ints) -> Floats:
     """Half-way from the end of chord ``one`` to the start of chord ``two``, moved out along the mean normal
     until it is above the planes of both (between the two ends of a convex junction: the paper's p + R m)."""
     middle = 0.5 * (place_on(chords, one, chords.stop[one]) + place_on(chords, two, chords.start[two]))

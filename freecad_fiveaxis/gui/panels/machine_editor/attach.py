@@ -72,7 +72,7 @@ class AttachFields(QtCore.QObject):
         from freecad_fiveaxis.app import attaching
 
         try:
-            chosen = attaching.paths(self._selected())
+            chosen = attaching.paths(self._find_selected())
             if not chosen:
                 self.refused.emit(self._what_to_select())
                 return
@@ -83,7 +83,7 @@ class AttachFields(QtCore.QObject):
         except FiveAxisError as error:
             self.refused.emit(wording.localize(error))
 
-    def _selected(self) -> list[tuple[Any, Sequence[str]]]:
+    def _find_selected(self) -> list[tuple[Any, Sequence[str]]]:
         """Return what is selected in the user's documents, from the outermost object on."""
         rows = FreeCADGui.Selection.getSelectionEx("*", 0)
         return [(row.Object, row.SubElementNames) for row in rows if row.Object.Document.Name != self.own]

@@ -133,7 +133,7 @@ class BodiesEditor(QtCore.QObject):
         body, draft = self.body, self.draft
         if self.filling or body is None or draft is None:
             return
-        new, at = _changed(body, name, self.fields[name].value()), self.table.at()
+        new, at = _change_body(body, name, self.fields[name].value()), self.table.at()
         if new == body:
             return
         self.draft = replace(draft, bodies=(*draft.bodies[:at], new, *draft.bodies[at + 1 :]))
@@ -216,7 +216,7 @@ def _value(body: MachineBody, name: str) -> Any:
     return sizes[key] if key in sizes else getattr(body, key)
 
 
-def _changed(body: MachineBody, name: str, value: Any) -> MachineBody:
+def _change_body(body: MachineBody, name: str, value: Any) -> MachineBody:
     """Return the body with another value."""
     key = name.removeprefix("body_")
     points, radii = POINTS.get(body.shape, ()), RADII.get(body.shape, ())

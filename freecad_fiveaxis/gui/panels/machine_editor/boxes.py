@@ -57,13 +57,13 @@ class OpenField(Field):
             name, OpenBox("length", word, math.copysign(1.0, -1.0 if opened is None else opened)), hint
         )
         self._given, self._shown = 0.0, 0.0
-        self.editor.valueChanged.connect(self._changed)
+        self.editor.valueChanged.connect(self._on_change)
 
     def value(self) -> float | None:
         """mm or degrees, or ``opened``."""
         if self.editor.is_open():
             return self.opened
-        shown = self.editor.measured()
+        shown = self.editor.read_measure()
         return self._given if shown == self._shown else shown
 
     def show_value(self, value: float | None) -> None:
@@ -73,7 +73,7 @@ class OpenField(Field):
         else:
             self.editor.show_measured(value)
             self._given = value
-        self._shown = self.editor.measured()
+        self._shown = self.editor.read_measure()
 
     def show_measure(self, value: float | None, kind: str) -> None:
         """Show a value of that kind, "length" or "angle"."""

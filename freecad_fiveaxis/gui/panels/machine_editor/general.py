@@ -35,9 +35,9 @@ class GeneralFields(QtCore.QObject):
         self.fields: dict[str, Field] = {field.name: field for field in _fields()}
         for field in self.fields.values():
             self.group.body.add(field)
-            field.edited.connect(self._changed)
+            field.edited.connect(self._on_change)
 
-    def _changed(self) -> None:
+    def _on_change(self) -> None:
         if not self.filling:
             self.edited.emit()
 

@@ -54,7 +54,7 @@ class EditorPanel:
         self.general, self.axes, self.bodies = GeneralFields(), AxesEditor(), BodiesEditor(self.attached)
         self.jog, self.target = JogSliders(), new_machine()
         self.picture: Any = None
-        self.names, self.document, self.written = editing.known_names(), "", ""
+        self.names, self.document, self.written = editing.list_known_names(), "", ""
         self.machine: Machine | None = None
         self.draft: MachineDraft
         self.kept: MachineDraft
@@ -136,7 +136,7 @@ class EditorPanel:
             )  # a question must not stand in the way of the list that closes
 
     def _start_from(self, machine: str) -> None:
-        if not self.changed or self._agreed():
+        if not self.changed or self._ask_to_leave():
             try:
                 self.load(machine)
                 return
@@ -281,12 +281,12 @@ class EditorPanel:
 
     def reject(self) -> bool:
         """Close or Esc: asks only where something would be lost."""
-        if self.changed and not self._agreed():
+        if self.changed and not self._ask_to_leave():
             return False
         self._close()
         return True
 
-    def _agreed(self) -> bool:
+    def _ask_to_leave(self) -> bool:
         question = translate("FiveAxis", "This machine is not saved. Leave it, and lose what was changed?")
         return ask(question, translate("FiveAxis", "Do not save"))
 
@@ -310,12 +310,12 @@ def create() -> EditorPanel:
     """Open the panel; it starts from the machine of the preferences, or from a shipped one where that cannot
     be read."""
     from freecad_fiveaxis.app import preferences
-    from freecad_fiveaxis.core.machine import shipped_machines
+    from freecad_fiveaxis.core.machine import list_shipped_machines
 
     try:
         panel = EditorPanel(preferences.machine())
     except FiveAxisError:
-        panel = EditorPanel(shipped_machines()[-1])
+        panel = EditorPanel(list_shipped_machines()[-1])
     if not FreeCADGui.Control.activeDialog():
         before = FreeCAD.ActiveDocument
         panel.document = FreeCAD.newDocument("Machine", translate("FiveAxis", "Machine")).Name
