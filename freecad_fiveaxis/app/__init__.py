@@ -162,7 +162,8 @@ def setup_map(toolpath: Any, **settings: Any) -> Any:
     computed.
 
     Settings: ``region`` (100, 100, 100) mm to either side of the present work zero, ``grid`` (nx, ny, nz)
-    places, ``turns`` of the part about Z. ``Recommended`` is the work zero to take, in the machine frame;
+    places, ``turns`` of the part about Z; ``fixtures``: what holds the part, which the toolpath gets, too
+    [those that it has]. ``Recommended`` is the work zero to take, in the machine frame;
     :func:`apply_setup` gives it to the path. Raises FiveAxisError, as SettingsError for a region that leaves
     every limit; then no object is left behind.
     """

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.pipeline.settings import COMPARE, CureSettings, Setti
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.corrections import CURES
 
-from .long_work import run
+from .long_work import listening, run
 from .selection import SelectionError
 from .setups import write_report
 from .spreading import processes
@@ -59,11 +59,12 @@ def compare(
     task = toolpath.Proxy.task(toolpath)
 
     def work(progress: Progress) -> trials.Comparison:
-        mesh, faces = task.mesh_and_mask(progress)
-        return trials.try_machines(settings, progress, mesh, faces, executor)
+        mesh, faces = whole.mesh_and_mask(progress)
+        return trials.try_machines(settings, progress, mesh, faces, executor, whole.mesh_fixtures(progress))
 
-    with processes() as executor:
-        return run(work, progress, toolpath.Document)
+    with listening(progress) as listener, processes() as executor:
+        whole = task.with_fixtures_meshed(listener)
+        return run(work, listener, toolpath.Document)
 
 
 def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:

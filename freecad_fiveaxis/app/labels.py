@@ -176,6 +176,7 @@ def _of_programs() -> dict[str, str]:
         "region": translate("FiveAxis", "Room for the work zero"),
         "grid": translate("FiveAxis", "Places on the map"),
         "turns": translate("FiveAxis", "Turns of the part"),
+        "jaw_thickness": translate("FiveAxis", "Thickness of the jaws"),
         "machines": translate("FiveAxis", "Machines"),
         "cures": translate("FiveAxis", "Corrections"),
     }

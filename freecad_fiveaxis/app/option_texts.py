@@ -203,6 +203,9 @@ TEXTS = {
     "turns": QT_TRANSLATE_NOOP(
         "App::Property", "How many turns of the part about Z are tried, evenly over 360°; 1: as it stands"
     ),
+    "jaw_thickness": QT_TRANSLATE_NOOP(
+        "App::Property", "How thick the jaws of a vise are of which is told how high they may reach"
+    ),
     "certainty": QT_TRANSLATE_NOOP(
         "App::Property",
         "How certain the offsets should be, and how near to those of the machine they are compared with"

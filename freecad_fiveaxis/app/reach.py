@@ -248,7 +248,7 @@ def find_map(obj: Any, progress: Progress | None = None) -> Last:
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
         with listening(progress) as listener:
-            whole = replace(task, fixtures=tuple(one.mesh(listener) for one in task.fixtures))
+            whole = task.with_fixtures_meshed(listener)
             with processes(WORTH) as executor:
                 obj.Proxy.last = run(
                     lambda progress: _compute_map(whole, fingerprint, progress, executor),

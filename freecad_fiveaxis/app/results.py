@@ -58,6 +58,10 @@ class Task:
         allowance = self.settings.gouge.avoid_allowance
         return convert.mesh_and_mask(self.data.stl(), self.runs, self.avoided, allowance, progress)
 
+    def with_fixtures_meshed(self, progress: Progress) -> Task:
+        """Return the same with the surfaces of its fixtures. Raises FiveAxisError."""
+        return replace(self, fixtures=tuple(one.mesh(progress) for one in self.fixtures))
+
     def mesh_fixtures(self, progress: Progress) -> tuple[Fixture, ...]:
         """Return the core's fixtures, once they are meshed. Raises MeshError."""
         names = self.settings.gouge.fixture
@@ -163,7 +167,7 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
         with listening(progress) as listener:
             whole = replace(task, part=task.part.mesh(listener)) if task.part else task
-            whole = replace(whole, fixtures=tuple(one.mesh(listener) for one in task.fixtures))
+            whole = whole.with_fixtures_meshed(listener)
             proxy.last = run(
                 lambda progress: _compute_result(proxy, whole, fingerprint, progress), doc=obj.Document
             )

@@ -45,7 +45,7 @@ from freecad_fiveaxis.core.studies.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.studies.setup_map import marked_rows, verdict
 
 from . import changes, convert, wording
-from .long_work import is_open, run, take_back
+from .long_work import is_open, listening, run, take_back
 from .plain_errors import hide_trace
 from .properties import (
     FINGERPRINT,
@@ -61,7 +61,7 @@ from .results import Task
 from .schema import Proxy
 from .selection import SelectionError
 from .spreading import processes
-from .toolpath import Toolpath
+from .toolpath import Toolpath, check_fixtures
 
 LEAVES = tuple(leaf for cls, leaf in option_fields(SETUP) if cls is SetupSettings)
 OWN = tuple(property_name(leaf.name) for leaf in LEAVES)
@@ -187,7 +187,7 @@ class SetupMap(Proxy):
         x, y, z = convert.plain(obj.Centre)
         machine = replace(path.settings.machine, origin=(x, y, z))
         settings = replace(path.settings, task=SETUP, machine=machine, setup=own.setup, head=HeadSettings())
-        return Task(settings, path.data, path.runs, path.avoided)
+        return Task(settings, path.data, path.runs, path.avoided, fixtures=path.fixtures)
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Ask for other setups where the map's own settings change."""
@@ -219,28 +219,43 @@ def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.setup_map`."""
     if not isinstance(getattr(path, "Proxy", None), Toolpath):
         raise SelectionError(say("setups are tried for a toolpath: select a toolpath"), path)
-    build_settings(SETUP, "part.stl", {"machine": path.Machine, **settings})
-    obj, doc = of(path), path.Document
+    options = {name: value for name, value in settings.items() if name != "fixtures"}
+    build_settings(SETUP, "part.stl", {"machine": path.Machine, **options})
+    before, fixtures = list(path.Fixtures), check_fixtures(path, settings.get("fixtures"))
+    obj, doc, touched = of(path), path.Document, "Touched" in path.State
     new = obj is None
     if new:
         obj = doc.addObject("App::FeaturePython", "SetupMap")
         SetupMap(obj)
         obj.Label = "Setup map"
     try:
+        if fixtures != before:
+            path.Fixtures = fixtures
         obj.Path = path
         for leaf in LEAVES:
             value = default_value(leaf)
             setattr(
                 obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value
             )
-        convert.put_options(obj, SETUP, settings)
+        convert.put_options(obj, SETUP, options)
         try_out(obj)
+        if fixtures != before:
+            changes.compute(path)
         doc.recompute([obj])
     except BaseException:
         if new:
             take_back(doc, obj)
+        if fixtures != before and is_open(doc):
+            _hold_again(path, before, touched)
         raise
     return obj
+
+
+def _hold_again(path: Any, fixtures: list[Any], touched: bool) -> None:
+    """Give a toolpath the fixtures of before, whose results it still shows."""
+    path.Fixtures = fixtures
+    if not touched:
+        path.purgeTouched()
 
 
 def try_out(obj: Any) -> None:
@@ -272,9 +287,10 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
     task = obj.Proxy.task(obj)
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
-        with processes() as executor:
+        with listening(progress) as listener, processes() as executor:
+            whole = task.with_fixtures_meshed(listener)
             obj.Proxy.last = run(
-                lambda progress: _try_setups(task, fingerprint, progress, executor), progress, obj.Document
+                lambda progress: _try_setups(whole, fingerprint, progress, executor), listener, obj.Document
             )
     last: Last = obj.Proxy.last
     return last.trial
@@ -282,7 +298,8 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
 
 def _try_setups(task: Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
     mesh, faces = task.mesh_and_mask(progress)
-    return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces, executor))
+    held = task.mesh_fixtures(progress)
+    return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces, executor, held))
 
 
 def is_up_to_date(obj: Any) -> bool:

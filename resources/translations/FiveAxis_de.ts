@@ -552,6 +552,14 @@
         <translation>Weg des Werkzeugs von einer Bahn zur nächsten: nahe am Werkstück, wo er frei ist, oder darüber hinweg</translation>
     </message>
     <message>
+        <source>How thick the jaws of a vise are of which is told how high they may reach</source>
+        <translation>Wie dick die Schraubstockbacken sind, von denen gesagt wird, wie hoch sie reichen dürfen</translation>
+    </message>
+    <message>
+        <source>Jaw Thickness</source>
+        <translation>Dicke der Backen</translation>
+    </message>
+    <message>
         <source>Kinds</source>
         <translation>Arten</translation>
     </message>
@@ -1126,6 +1134,10 @@
     <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
         <translation>So viel darf stehen bleiben: die doppelte Kuppenhöhe und die Toleranz</translation>
+    </message>
+    <message>
+        <source>Solids and meshes of the document that hold the part, as in the tool path, which takes a change</source>
+        <translation>Körper und Netze des Dokuments, die das Teil halten: dieselben wie im Werkzeugweg, der eine Änderung übernimmt</translation>
     </message>
     <message>
         <source>Solids and meshes of the document that hold the part: the path goes around them</source>
@@ -3261,6 +3273,10 @@
     <message>
         <source>These files are there already. Replace them?</source>
         <translation>Diese Dateien gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Thickness of the jaws</source>
+        <translation>Dicke der Backen</translation>
     </message>
     <message>
         <source>This file is there already: choose another name.</source>
@@ -5578,6 +5594,10 @@
     <message>
         <source>With the part turned by {angle} the rotary limits allow no way: {error}.</source>
         <translation>Mit dem um {angle} gedrehten Werkstück erlauben die Grenzen der Rundachsen keinen Weg: {error}.</translation>
+    </message>
+    <message>
+        <source>With the tool as it is tool or spindle hit the machine in every setup that was tried. With one that sticks out {enough} instead of {present}:</source>
+        <translation>Mit dem Werkzeug, wie es ist, treffen Werkzeug oder Spindel die Maschine in jeder erprobten Aufspannung. Mit einer Auskragung von {enough} statt {present}:</translation>
     </message>
     <message>
         <source>With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured along the tool.</source>

@@ -9,7 +9,7 @@ from conftest import FAST, UNCURED
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import comparing, setups
 from freecad_fiveaxis.app.selection import SelectionError
-from freecad_fiveaxis.core.base.errors import FileError, SettingsError
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, SettingsError
 
 SMALL = {"region": (50, 50, 50), "grid": (3, 3, 2)}
 
@@ -57,6 +57,48 @@ def test_a_map_survives_and_is_out_of_date_only_when_its_path_is_another(path, r
     made.Region = (20, 0, 0)
     doc.recompute()
     assert made.UpToDate and len(made.Places) < len(kept["Kinds"])
+
+
+@pytest.fixture
+def jaw(doc):
+    """A block 5 mm beside the half ball, as high as half of it."""
+    made = doc.addObject("Part::Box", "Jaw")
+    made.Length, made.Width, made.Height = 20, 40, 10
+    made.Placement.Base = (25, -20, 0)
+    doc.recompute()
+    return made
+
+
+def test_what_holds_the_part_goes_into_the_map_and_a_change_of_it_makes_the_map_old(path, jaw):
+    path.Holder = "30x20"
+    path.recompute()
+    free = app.setup_map(path, **SMALL)
+    assert any("stick-out" in text for text in free.Findings)
+    assert not any("Jaws" in text for text in free.Findings)
+    made = app.setup_map(path, **SMALL, fixtures=[jaw])
+    assert made is free and path.Fixtures == [jaw] and made.UpToDate and "Touched" not in path.State
+    (text,) = [text for text in made.Findings if text.startswith("Jaws 40 mm thick")]
+    assert all(side in text for side in ("-X: ", "+X: ", "-Y: ", "+Y: "))
+    kept = made.Proxy.last
+    jaw.Height = 15
+    path.Document.recompute()
+    assert not made.UpToDate and made.Proxy.last is kept, "a change of what holds the part tries no setups"
+    again = app.setup_map(path, **SMALL)
+    assert again.UpToDate and path.Fixtures == [jaw], "they stay unless others are named"
+    app.setup_map(path, **SMALL, fixtures=[])
+    assert made.UpToDate and not path.Fixtures and not any("Jaws" in text for text in made.Findings)
+
+
+def test_fixtures_of_a_map_that_cannot_be_stay_what_they_were(path, jaw, ball):
+    app.setup_map(path, **SMALL, fixtures=[jaw])
+    shown = path.Fingerprint
+    for wrong, words in (
+        ({"fixtures": [ball]}, "is the part that is milled"),
+        ({"fixtures": [], "table_height": 1e4}, "on the table"),
+    ):
+        with pytest.raises(FiveAxisError, match=words):
+            app.setup_map(path, **SMALL, **wrong)
+        assert path.Fixtures == [jaw] and path.Fingerprint == shown and "Touched" not in path.State
 
 
 def test_what_cannot_be_leaves_nothing_behind(path):
@@ -124,6 +166,14 @@ def test_machines_are_compared_on_the_same_path(path, tmp_path):
     file = tmp_path / "table.json"
     comparing.write(comparison, file)
     assert len(json.loads(file.read_text(encoding="utf-8"))["rows"]) == 8
+
+
+def test_machines_are_compared_on_the_path_around_what_holds_the_part(path, jaw):
+    before = app.compare(path, ["trunnion_ac"], ["none"])
+    path.Fixtures = [jaw]
+    path.recompute()
+    around = app.compare(path, ["trunnion_ac"], ["none"])
+    assert around[0].blocks == path.Blocks and not around[0].problem and len(around) == len(before)
 
 
 def test_what_cannot_be_compared_says_why(path):

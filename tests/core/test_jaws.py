@@ -7,6 +7,7 @@ import pytest
 from plain import build_settings
 from thorough import OTHERS_ONCE, some_in_core
 
+from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.geometry.solids import box_facets
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
@@ -32,10 +33,10 @@ def vise(tmp_path, low, high, name="beside.stl"):
     return str(tmp_path / name)
 
 
-def charted(tmp_path, **more):
+def charted(tmp_path, mesh=None, **more):
     beside = vise(tmp_path, (-80, -90, -10), (80, -70, -9))
     return try_setups(
-        build_settings("setup", "p.stl", GIVEN | MAP | {"fixture": (beside,)} | more), mesh=stepped()
+        build_settings("setup", "p.stl", GIVEN | MAP | {"fixture": (beside,)} | more), mesh=mesh or stepped()
     ).chart
 
 
@@ -58,6 +59,26 @@ def test_the_clearance_is_kept_below_the_ball(tmp_path, clearance):
     assert found["-X"] == pytest.approx(-clearance) and found["+X"] == pytest.approx(-6.0 - clearance)
 
 
+def test_thin_jaws_reach_higher_than_thick_ones_under_a_holder_that_leans_over_them(tmp_path):
+    """Of a holder 12 mm above the ball's centre, 20 mm in radius and leant by 50 deg, the lowest place is 3 +
+    12 cos 50 - 20 sin 50 mm over the part's top, 22 mm beside the tip: over a jaw of 40 mm, beyond one of
+    5 mm."""
+    leans = {"tilt": 50.0, "max_axis_angle": 60.0, "cutter": "ball:6:15", "gouge": "off", "direction": 90.0}
+    strip = from_triangles(box_facets(np.array((-5.0, -30.0, -10.0)), np.array((5.0, 30.0, 0.0))))
+    thick = charted(tmp_path, strip, **leans)
+    thin = charted(tmp_path, strip, **leans, jaw_thickness=5.0)
+    lowest = 3.0 + 12.0 * np.cos(np.radians(50.0)) - 20.0 * np.sin(np.radians(50.0))
+    for side in ("-X", "+X"):
+        assert tops(thick)[side] == pytest.approx(lowest, abs=0.15) and tops(thin)[side] == pytest.approx(0.0)
+    assert "Jaws 5 mm thick" in next(one.text for one in thin.findings if one.code == "jaws-free")
+
+
+@pytest.mark.parametrize("wrong", ["0", "-3", "20000", "thick"])
+def test_a_thickness_that_cannot_be_is_refused_by_name(wrong):
+    with pytest.raises(SettingsError, match=f"jaw.thickness.*{wrong}"):
+        build_settings("setup", "p.stl", GIVEN | {"jaw_thickness": wrong})
+
+
 def test_a_fixture_that_is_hit_is_told_and_one_that_is_free_is_not(tmp_path):
     free = charted(tmp_path)
     assert free.clamping.hits == () and "jaws-free" in [one.code for one in free.findings]
@@ -78,7 +99,7 @@ def ball_in_jaw(chart, top, side):
         build_settings("mill", "p.stl", GIVEN | {"origin": origin, "spindle": "off"}), mesh=stepped()
     )
     _, axis, out = next(one for one in jaws.SIDES if one[0] == side)
-    low, high = jaws.jaw_corners(stepped().box, axis, out, top)
+    low, high = jaws.jaw_corners(stepped().box, axis, out, chart.clamping.thick, top)
     share = np.linspace(0.0, 1.0, 40, endpoint=False)[:, None, None]
     words = ((1.0 - share) * made.program.words[:-1] + share * made.program.words[1:]).reshape(-1, 5)
     tip, lean = forward(made.kinematics, words_to_q(words))

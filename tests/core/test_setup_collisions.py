@@ -170,6 +170,34 @@ def test_far_bodies_change_nothing_but_that_somebody_has_looked(given, tmp_path)
         assert one | {"machine_hit": None} == other
 
 
+def test_where_a_longer_tool_is_free_it_is_told_and_mill_with_it_hits_nothing(given, tmp_path, capsys):
+    """The holder of 20 mm radius over the part's top, at 6 mm, goes into a post that is 60 mm high and 25 mm
+    beside the part's middle, wherever the part stands; over it a tool of 54 mm is free."""
+    words = given((25.0, -60.0, -200.0), (60.0, 60.0, 60.0))[:-1]  # what is told is read
+    report = tmp_path / "map.json"
+    where = ["--origin=0,0,0", "--region", "3,0,0", "--grid", "3,1,1", "--report", str(report)]
+    assert cli.main(["setup", *words, *where]) == 1
+    told = " ".join(capsys.readouterr().out.split())
+    record = json.loads(report.read_text())
+    codes = [one["code"] for one in record["findings"]]
+    assert "no-setup-free" in codes and "stick-out-too-short" in codes
+    assert "hit the machine in every setup that was tried. With one that sticks out 54" in told
+    found, best = record["stick_out"], record["setups"][record["best"]]
+    assert found["enough"] == pytest.approx(54.0, abs=0.15) and found["met"]["entered"] == "post"
+    assert best["machine_hit"] == pytest.approx(4.0, abs=0.1)
+    assert mill_at(words, tmp_path, best["origin"])
+    longer = [*words, "--shank", found["options"]["shank"]]
+    assert mill_at(longer, tmp_path, best["origin"]) == []
+    assert cli.main(["setup", *longer, *where]) == 0
+
+
+def test_where_the_cutter_hits_the_machine_too_no_longer_tool_is_proposed(given, tmp_path, capsys):
+    """The post of above, but 13 mm beside the part's middle: the ball reaches 15 mm, whatever is over it."""
+    words = given((13.0, -60.0, -200.0), (60.0, 60.0, 60.0))
+    assert cli.main(["setup", *words, "--origin=0,0,0", "--region", "0.5,0,0", "--grid", "3,1,1"]) == 2
+    assert "tool or spindle hit the machine" in capsys.readouterr().err
+
+
 def test_where_the_machine_is_hit_everywhere_the_map_is_refused_in_one_line(given, tmp_path, capsys):
     words = given((-900.0, -900.0, -100.0), (900.0, 900.0, 40.0))
     code = cli.main(

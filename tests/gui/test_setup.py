@@ -6,6 +6,7 @@ import FreeCAD
 import pytest
 from conftest import QtWidgets, close_all
 from test_clicks import look
+from test_fixtures import labels, tick
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.gui.scene import colours
@@ -158,6 +159,46 @@ def test_cancel_leaves_the_document_as_it_was(
     assert (
         [obj.Name for obj in doc.Objects] == names and path.OriginFromMachine and "Touched" not in path.State
     )
+
+
+@pytest.mark.usefixtures("whole_screen")
+def test_what_holds_the_part_is_ticked_and_the_findings_say_how_high_jaws_reach(
+    path, doc, tree_row, press, field, ask_small, click, until, panel_button, panel_closed, screenshot, pump
+):
+    jaw = doc.addObject("Part::Box", "Jaw")
+    jaw.Length, jaw.Width, jaw.Height = 20, 40, 10
+    jaw.Placement.Base = FreeCAD.Vector(25, -20, 0)
+    path.Holder = "30x20"
+    doc.recompute()
+    tree_row(path.Label)
+    press("FiveAxis_Setup")
+    ask_small()
+    editor = field("fixtures")
+    assert labels(editor) == ["Jaw"], "the part itself is none"
+    tick(editor, 0, click, until)
+    screenshot("setup_fixture_ticked")
+    click(field("calculate"))
+    until(lambda: "Jaws 40 mm thick" in field("summary").text(), 60000, "how high jaws reach")
+    assert "Tool stick-out" in field("summary").text() and path.Fixtures == [jaw]
+    pump(600)
+    bar = field("summary").parent().parent().verticalScrollBar()
+    bar.setValue(bar.maximum())
+    screenshot("setup_fixtures")
+    panel_button("OK")
+    panel_closed()
+    (made,) = [obj for obj in doc.Objects if hasattr(obj, "Recommended")]
+    jaw.Height = 12
+    doc.recompute()
+    assert not made.UpToDate
+    tree_row(path.Label)
+    press("FiveAxis_Setup")
+    tick(field("fixtures"), 0, click, until)
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a map without it")
+    assert not path.Fixtures and "Jaws" not in field("summary").text()
+    panel_button("Cancel")
+    panel_closed()
+    assert path.Fixtures == [jaw] and not made.UpToDate, "Cancel takes it back"
 
 
 def test_a_solid_without_a_path_gets_one_in_the_same_step(

@@ -15,6 +15,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NoReturn
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ReachError, SettingsError
@@ -70,7 +71,7 @@ from .setup_map import (
     setup_map,
     setup_text,
 )
-from .setup_map.room import with_room
+from .setup_map.room import with_longer_tool, with_room
 from .setup_map.standing import Standing
 
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
@@ -167,10 +168,10 @@ def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[F
 
 def try_setups(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    executor: Executor | None = None,
+    executor: Executor | None = None, fixtures: tuple[Fixture, ...] | None = None,
 ) -> SetupTrial:  # fmt: skip
-    """Where the part should stand. ``mesh``, ``faces``: as in :func:`~.job.make`; ``executor``: as in
-    :func:`run`.
+    """Where the part should stand. ``mesh``, ``faces``, ``fixtures``: as in :func:`~.job.make`;
+    ``executor``: as in :func:`run`.
 
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
@@ -180,25 +181,29 @@ def try_setups(
     )  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
-    program = _posted(job, progress, mesh, faces)
+    program = _posted(job, progress, mesh, faces, fixtures)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
     collide = _collide(job, machine, dialect, progress)
     chart = setup_map(
         program.path, machine, base, region, posting, enough, progress, table, executor, collide
     )
+    thick = settings.setup.jaw_thickness
     if chart.best is None:
-        _refuse(chart)
-    chart = with_room(chart, _standing(chart, program, machine), progress)
+        longer = with_longer_tool(chart, lambda one: _standing(one, program, machine), thick, progress)
+        chart = longer or _refuse(chart)
+    else:
+        chart = with_room(chart, _standing(chart, program, machine), thick, progress)
     return SetupTrial(settings, program, chart, chart.findings)
 
 
 def try_machines(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    executor: Executor | None = None,
+    executor: Executor | None = None, fixtures: tuple[Fixture, ...] | None = None,
 ) -> Comparison:  # fmt: skip
     """Return the same path on every machine that the settings name, with each cure. The path is made for the
-    first of them that can cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
+    first of them that can cut it; those that cannot are rows that say why. ``fixtures``: as in
+    :func:`~.job.make`; ``executor``: as in :func:`run`.
 
     Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long
     work; and what the first machine says where none can cut the path.
@@ -213,7 +218,7 @@ def try_machines(
     refused = [
         what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)
     ]
-    program = _draft_for_first(each_settings, refused, progress, mesh, faces)
+    program = _draft_for_first(each_settings, refused, progress, mesh, faces, fixtures)
     stations = [
         station(machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text)
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
@@ -224,8 +229,7 @@ def try_machines(
 
 def _draft_for_first(
     each_settings: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress,
-    mesh: Mesh | None,
-    faces: Bools | None,
+    mesh: Mesh | None, faces: Bools | None, fixtures: tuple[Fixture, ...] | None,
 ) -> PostedProgram:  # fmt: skip
     """Return the path and its program on the first machine that can take up all of its axes. Raises what the
     first machine says where there is none."""
@@ -233,7 +237,7 @@ def _draft_for_first(
     for job, why in zip(each_settings, refused, strict=True):
         try:
             if why is None:
-                return _posted(job, progress, mesh, faces)
+                return _posted(job, progress, mesh, faces, fixtures)
             problems.append(why)
         except ReachError as error:
             problems.append(error)
@@ -247,10 +251,13 @@ def _job_settings(settings: Settings, machine: str = "") -> Settings:
     return replace(settings, task=task, machine=given)
 
 
-def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> PostedProgram:
+def _posted(
+    job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None,
+    fixtures: tuple[Fixture, ...] | None = None,
+) -> PostedProgram:  # fmt: skip
     if mesh is not None:
         job = replace(job, task=MILL)
-    program = make(job, progress, mesh, faces)
+    program = make(job, progress, mesh, faces, fixtures)
     if not isinstance(program, PostedProgram):
         raise SettingsError(
             say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source
@@ -349,7 +356,7 @@ def _places(half: Vector, count: tuple[int, int, int], turns: int) -> int:
     return turns * math.prod(one for one, way in zip(count, half, strict=True) if way)
 
 
-def _refuse(chart: SetupMap) -> None:
+def _refuse(chart: SetupMap) -> NoReturn:
     low, high = chart.region.low, chart.region.high
     sides = zip("XYZ", low, high, strict=True)
     box = join_sentences((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True),

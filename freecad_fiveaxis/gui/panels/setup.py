@@ -19,11 +19,12 @@ from freecad_fiveaxis.gui.scene.units import angle_text, length_text
 from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.waiting import waiting
 
+from .fixtures import FixturesField
 from .form import Form
 from .path_panel import DRAWN, PathPanel, fit, reveal, show
 from .post import propose_file
 from .summary import Summary, clock
-from .toolpath import read_preferred
+from .toolpath import find_milled_solid, read_preferred
 
 
 class SetupSummary(Summary):
@@ -99,8 +100,14 @@ class SetupPanel(PathPanel):
         self.path, self.base, self.faces = path, base, faces
         doc = (path or base).Document
         machine = path.Machine if path else preferences.machine()
-        section = ("setup", translate("FiveAxis", "Setup"), ["region", "grid", "turns", "table_height"])
-        form = Form("setup", doc, [section], group="SetupSettings", given={"machine": machine})
+        names = ["region", "grid", "turns", "table_height", "fixtures", "jaw_thickness"]
+        section = ("setup", translate("FiveAxis", "Setup"), names)
+        hint = translate(
+            "App::Property",
+            "Solids and meshes of the document that hold the part, as in the tool path, which takes a change",
+        )
+        held = FixturesField(doc, find_milled_solid(path.Mesh if path else base), hint)
+        form = Form("setup", doc, [section], [held], group="SetupSettings", given={"machine": machine})
         super().__init__(doc, translate("FiveAxis", "Where to clamp"), form, obj)
         form.fields["table_height"].editor.setPlaceholderText(table_of(machine))
 
@@ -134,9 +141,13 @@ class SetupPanel(PathPanel):
         """Return the map of the toolpath; over a part, of a new toolpath with the preferences."""
         from freecad_fiveaxis import app
 
+        values = self.options.read_values()
         if self.path is None:
-            self.path = app.create_toolpath(self.doc, self.base, faces=self.faces, **read_preferred())
-        return app.setup_map(self.path, **self.options.read_values())
+            held = values["fixtures"]
+            self.path = app.create_toolpath(
+                self.doc, self.base, faces=self.faces, fixtures=held, **read_preferred()
+            )
+        return app.setup_map(self.path, **values)
 
     def _undone(self) -> None:
         super()._undone()
@@ -244,7 +255,7 @@ def create(path: Any) -> SetupPanel:
     from freecad_fiveaxis.app import setups
 
     existing = setups.of(path)
-    return edit(existing) if existing is not None else _open(SetupPanel(path), {})
+    return edit(existing) if existing is not None else _open(SetupPanel(path), {"fixtures": path.Fixtures})
 
 
 def create_over(base: Any, faces: tuple[str, ...] = ()) -> SetupPanel:
@@ -256,7 +267,8 @@ def edit(obj: Any) -> SetupPanel:
     """Open the panel for a map that is there."""
     from freecad_fiveaxis.app import setups
 
-    return _open(SetupPanel(obj.Path, obj=obj), setups.own_options(obj))
+    values = setups.own_options(obj) | {"fixtures": obj.Path.Fixtures}
+    return _open(SetupPanel(obj.Path, obj=obj), values)
 
 
 def _open(panel: SetupPanel, values: dict[str, Any]) -> SetupPanel:

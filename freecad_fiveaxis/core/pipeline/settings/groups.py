@@ -473,6 +473,11 @@ class SetupSettings:
         least=-LONGEST,
         most=LONGEST,
     )
+    jaw_thickness: float = option(
+        40.0, "length",
+        "how thick the jaws are of which is told how high they may reach, where there is a fixture", (SETUP,),
+        least=0.1, most=FARTHEST,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -32,11 +32,12 @@ Choose = Callable[[Bools], int | None]
 class FreeSetup(NamedTuple):
     """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: at least so deep tool or
     spindle go into the machine, 0 where they hit nothing, NaN where nobody knows; ``findings`` of the best,
-    and of those that were passed over."""
+    and of those that were passed over; ``least``: where none is free the row in which they hit it least."""
 
     best: int | None
     hits: Floats
     findings: tuple[Finding, ...] = ()
+    least: int | None = None
 
 
 def choose_free(
@@ -60,9 +61,11 @@ def choose_free(
             passed = {at: found for at, found in seen.items() if hits[at] > 0.0 and able[at]}
             return FreeSetup(best, hits, (*seen[best], *_passed_over(origin, passed)))
         row = best
-    return FreeSetup(
-        None, hits, tuple(_none_free(origin, hits, seen)) if able.any() else ()
-    )  # else the limits are why
+    hit = [row for row in seen if hits[row] > 0.0]
+    if not hit or not able.any():  # the limits are why
+        return FreeSetup(None, hits)
+    least = min(hit, key=lambda row: float(hits[row]))
+    return FreeSetup(None, hits, (_none_free(origin[least], len(hit), seen[least]),), least)
 
 
 def _depth(found: tuple[Finding, ...]) -> float:
@@ -94,23 +97,20 @@ def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iter
         yield report_finding(Code.SETUPS_HIT_MACHINE, text, float(len(passed)))
 
 
-def _none_free(origin: Floats, hits: Floats, seen: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
-    hit = [row for row in seen if hits[row] > 0.0]
-    if not hit:
-        return
-    row = min(hit, key=lambda one: float(hits[one]))
+def _none_free(least: Floats, count: int, found: tuple[Finding, ...]) -> Finding:
+    """Tell that so many setups hit the machine, ``found`` with the work zero at ``least`` (3,) mm."""
     text = plural(
-        len(hit),
+        count,
         "In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: "
         "the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
         "In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at "
         "{origin}: the {name} "
         "by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
-        origin=Point(tuple(origin[row].tolist()), ".6g"),
+        origin=Point(tuple(least.tolist()), ".6g"),
         option=Option("origin"),
-        **_hit(seen[row]),
+        **_hit(found),
     )
-    yield report_finding(Code.NO_SETUP_FREE, text, float(hits[row]), 0.0)
+    return report_finding(Code.NO_SETUP_FREE, text, _depth(found), 0.0)
 
 
 def _hit(found: tuple[Finding, ...]) -> dict[str, object]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How high the jaws of a vise may reach beside the part in a setup, on each of its four sides.
 
-jaw      a block THICK mm thick beside the part's box, as long as that side of it, from the part's lowest
+jaw      a block ``thick`` mm thick beside the part's box, as long as that side of it, from the part's lowest
          place up to the jaw's top.
 top      the highest one, in STEPs, that cutter, shank, holder and spindle never enter on the real way of any
          block: **proven**. A jaw that is higher by a STEP is entered, or it is not proven that it is not; it
@@ -31,9 +31,6 @@ from .standing import Run, Standing, first_entries
 STEP = 0.1
 """mm; so well the height of a jaw is known."""
 
-THICK = 40.0
-"""mm that a jaw is thick, away from the part."""
-
 SIDES = (("-X", 0, -1), ("+X", 0, 1), ("-Y", 1, -1), ("+Y", 1, 1))
 """Names of the sides, their axis, and the way out."""
 
@@ -51,15 +48,16 @@ class Jaw:
 @dataclass(frozen=True)
 class Clamping:
     """``hits``: what is to be said of the fixtures, that are hit or come too near; ``jaws`` of the four
-    sides."""
+    sides; ``thick`` mm: so thick these are, away from the part."""
 
     hits: tuple[Finding, ...]
     jaws: tuple[Jaw, ...]
+    thick: float
 
 
-def find_clamping(stand: Standing, progress: Progress = silent) -> Clamping | None:
-    """Find what the tool hits of the fixtures, and how high jaws may reach; None where no fixture is given,
-    or the part is not known. Raises ReachError."""
+def find_clamping(stand: Standing, thick: float, progress: Progress = silent) -> Clamping | None:
+    """Find what the tool hits of the fixtures, and how high jaws ``thick`` mm thick may reach; None where no
+    fixture is given, or the part is not known. Raises ReachError."""
     part = stand.turned_part
     if not stand.fixtures or part is None:
         return None
@@ -70,7 +68,7 @@ def find_clamping(stand: Standing, progress: Progress = silent) -> Clamping | No
         clearance=stand.clearance,
     )  # fmt: skip
     apart, box = grow_body(body, stand.clearance), part.box
-    return Clamping(hits, tuple(_jaw(run, apart, box, side, quiet) for side in SIDES))
+    return Clamping(hits, tuple(_jaw(run, apart, box, side, thick, quiet) for side in SIDES), thick)
 
 
 def _quiet(progress: Progress) -> Progress:
@@ -78,15 +76,16 @@ def _quiet(progress: Progress) -> Progress:
 
 
 def _jaw(
-    run: Run, body: Body, box: tuple[Floats, Floats], side: tuple[str, int, int], progress: Progress
-) -> Jaw:
+    run: Run, body: Body, box: tuple[Floats, Floats], side: tuple[str, int, int], thick: float,
+    progress: Progress,
+) -> Jaw:  # fmt: skip
     name, axis, out = side
     bottom, top = float(box[0][2]), float(box[1][2])
     count = max(int((top - bottom) / STEP + 1e-9), 1)
     free, entered, suspects = 0, count + 1, np.empty(0, np.int64)
     step = count
     while entered - free > 1:
-        low, high = jaw_corners(box, axis, out, top - (count - step) * STEP)
+        low, high = jaw_corners(box, axis, out, thick, top - (count - step) * STEP)
         tree = build_facet_tree(from_triangles(box_facets(low, high)))
         found = first_entries(tree, body, run.swept, run.stand.tolerance, suspects, progress)
         free, entered = (free, step) if len(found) else (step, entered)
@@ -95,11 +94,14 @@ def _jaw(
     return Jaw(name, round(top - (count - free) * STEP, 6) if free else None, free < count)
 
 
-def jaw_corners(box: tuple[Floats, Floats], axis: int, out: int, top: float) -> tuple[Floats, Floats]:
-    """Return the low and the high corner (3,) mm of a jaw beside a ``box``, up to ``top``."""
+def jaw_corners(
+    box: tuple[Floats, Floats], axis: int, out: int, thick: float, top: float
+) -> tuple[Floats, Floats]:
+    """Return the low and the high corner (3,) mm of a jaw beside a ``box``, ``thick`` mm thick, up to
+    ``top``."""
     low, high = np.array(box[0], float), np.array(box[1], float)
     face = high[axis] if out > 0 else low[axis]
-    low[axis], high[axis] = min(face, face + out * THICK), max(face, face + out * THICK)
+    low[axis], high[axis] = min(face, face + out * thick), max(face, face + out * thick)
     high[2] = top
     return low, high
 
@@ -114,7 +116,7 @@ def clamping_findings(found: Clamping | None) -> Iterator[Finding]:
     text = say(
         "Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its "
         "work zero: {sides}.",
-        thick=Length(THICK), sides=sides,
+        thick=Length(found.thick, ".6g"), sides=sides,
     )  # fmt: skip
     yield report_finding(Code.JAWS_FREE, text, min(able, default=None))
 
@@ -129,4 +131,4 @@ def _words(jaw: Jaw) -> Sentence:
 
 def jaws_record(found: Clamping | None) -> list[dict[str, object]] | None:
     """Return the jaws for scripts, mm."""
-    return None if found is None else [vars(jaw) | {"thick": THICK} for jaw in found.jaws]
+    return None if found is None else [vars(jaw) | {"thick": found.thick} for jaw in found.jaws]

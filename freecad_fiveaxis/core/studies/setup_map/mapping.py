@@ -156,7 +156,7 @@ def _mapped(
         max_deviation=deviation, rotary_travel=np.array([cost.travel for cost in costs]), time=time,
         over=np.array([cost.over for cost in costs]), within_limits=within, stands=stands, rewinds=rewinds,
         kind=np.array([row.kind for row in rows], np.int8), best=best, least=least, table=stand.table,
-        bottom=stand.bottom, hits=choice.hits, findings=findings,
+        bottom=stand.bottom, hits=choice.hits, findings=findings, least_hit=choice.least,
     )  # fmt: skip
 
 

@@ -48,15 +48,15 @@ def verdict(chart: SetupMap) -> Sentence:
         return say("No setup of the region keeps all axes within their limits and the part on the table.")
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
     place, on_table = _place(chart, chart.best), _on_table(chart, chart.best)
+    alone = say("Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g"))
+    if chart.hits[chart.best] > 0.0:
+        return join_sentences((_longer_tool(chart), alone, on_table))
     if not math.isfinite(now) or not chart.able[0]:
         leaves = say("In the present setup the axes leave their limits.")
         below = say("In the present setup the part reaches below the table.")
         hits = say("In the present setup tool or spindle hit the machine.")
-        stand = say(
-            "Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g")
-        )
         return join_sentences(
-            (stand, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table)
+            (alone, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table)
         )
     if now <= LEAST_GAIN * best:
         text = Length(now, ".4g")
@@ -73,6 +73,16 @@ def verdict(chart: SetupMap) -> Sentence:
         times=Number(now / max(best, 1e-9), ".3g"),
     )
     return join_sentences((stand, on_table))
+
+
+def _longer_tool(chart: SetupMap) -> Sentence:
+    """Tell that what is recommended is for a longer tool."""
+    assert chart.stick_out is not None and chart.stick_out.enough is not None  # it is why there is a setup
+    return say(
+        "With the tool as it is tool or spindle hit the machine in every setup that was tried. With one that "
+        "sticks out {enough} instead of {present}:",
+        enough=Length(chart.stick_out.enough, ".6g"), present=Length(chart.stick_out.present, ".6g"),
+    )  # fmt: skip
 
 
 def _on_table(chart: SetupMap, row: int) -> Sentence:

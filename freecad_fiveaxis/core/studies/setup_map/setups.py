@@ -135,6 +135,7 @@ class SetupMap:
     the machine, 0 where they hit nothing, NaN where nobody knows (no bodies, or no need to look).
     ``stick_out``: the shortest of the tool that is free in the recommended setup, and
     ``clamping``: what is hit of the fixtures there, and how high jaws may reach; None: nobody has looked.
+    ``least_hit``: where all that were tried hit the machine the row in which that is least; None: not all.
     """
 
     machine: str
@@ -158,6 +159,7 @@ class SetupMap:
     findings: tuple[Finding, ...] = ()
     stick_out: StickOut | None = None
     clamping: Clamping | None = None
+    least_hit: int | None = None
 
     def __post_init__(self) -> None:
         freeze(

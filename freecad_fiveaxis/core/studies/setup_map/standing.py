@@ -178,13 +178,14 @@ class Run:
         """How far the linear axes leave their limits, if they do."""
         return Met("", LIMITS, self.over) if self.over > LINEAR_SLACK else None
 
-    def meets_machine(self, progress: Progress = silent) -> Met | None:
-        """Return the deepest that tool, spindle or bodies of the machine go into a body of it, or of them
-        into part or fixtures; None where it is proven that nothing does."""
+    def meets_machine(self, progress: Progress = silent, cutter: bool = False) -> Met | None:
+        """Return the deepest that shank, holder, spindle or bodies of the machine go into a body of it, or of
+        them into part or fixtures, and the ``cutter`` if asked; None where it is proven that nothing does."""
         stand, length = self.stand, self.setup.tool_length if self.stand.known else None
         given = InMachine(
-            stand.machine, self.setup, self.kinematics, self.stack.body.only(SHANK, HOLDER), length,
-            stand.back, clearance=stand.clearance, fixtures=stand.turned_fixtures,
+            stand.machine, self.setup, self.kinematics,
+            self.stack.body if cutter else self.stack.body.only(SHANK, HOLDER), length, stand.back,
+            clearance=stand.clearance, fixtures=stand.turned_fixtures,
         )  # fmt: skip
         found = check_machine(given, self.program, stand.turned_part, stand.tolerance, progress)
         return max(map(_met_by, filter(_counts, found)), key=lambda met: met.depth, default=None)
