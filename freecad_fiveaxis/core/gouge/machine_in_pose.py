@@ -46,7 +46,7 @@ from .carried_motion import CarriedMotion
 from .carried_pieces import Carried, CarriedPair, carry_bodies, carry_tool, carry_work, pair_up
 from .inside import inside, is_closed
 from .machine_bodies import make_mesh, spindle_body
-from .machine_check import InMachine, is_held, lock_words, locked_letters, needs_length, zero_words
+from .machine_check import InMachine, find_locked_letters, is_held, lock_words, needs_length, zero_words
 from .rest_material import surface_samples
 from .search import which_enter
 from .swept_motion import still_positions
@@ -216,7 +216,7 @@ class MachineInPose:
         self, tool: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float, far: float
     ) -> Bools:
         spindle = extend_way_out(self.spindle, far) if far else self.spindle
-        stack, kinematics = self._thickened((*tool.pieces, *spindle.pieces)), self.given.kinematics
+        stack, kinematics = self._thicken_pieces((*tool.pieces, *spindle.pieces)), self.given.kinematics
         angles, sine = inverse_axis(kinematics, axis)
         low, high = kinematics.low[3:], kinematics.high[3:]
         fits, pole, met = within_limits(angles, low, high), sine <= POLE_ANGLE, np.ones(len(tip), np.bool_)
@@ -230,7 +230,7 @@ class MachineInPose:
         met[rows] = self._at_pole(stack, tip[rows], axis[rows], angles[0, rows], limit)
         return met
 
-    def _thickened(self, pieces: Iterable[Piece]) -> Body:
+    def _thicken_pieces(self, pieces: Iterable[Piece]) -> Body:
         """Shank, holder and spindle thicker by the margin; the cutter as it is, for it may work close to a
         body."""
         return Body(
@@ -245,7 +245,7 @@ class MachineInPose:
         met = self._at(stack, tip[row], axis[row], turned, limit)
         return np.asarray(met.reshape(-1, len(words)).any(axis=1))
 
-    def blocked(self, driven: Floats, axis: Floats, angles: Floats) -> Bools:
+    def is_blocked(self, driven: Floats, axis: Floats, angles: Floats) -> Bools:
         """Tell where (n,) the machine is in the way with the driven point (n, 3) mm and unit axis (n, 3)
         there at rotary words ``angles`` (n, 2) rad."""
         stack = Body((*self.given.body.pieces, *self.spindle.pieces))
@@ -299,18 +299,18 @@ def machine_in_pose(
     machine = given.machine
     if not machine.bodies:
         return None
-    held = _held_bodies(given, progress)
+    held = _find_held_bodies(given, progress)
     carried = [*carry_bodies(machine, progress), *carry_work(machine, given.setup, part, given.fixtures)]
     return MachineInPose(given, tuple(held), tuple(carried), tolerance, margin)
 
 
-def _held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody]:
+def _find_held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody]:
     for body in given.machine.bodies:
         if is_held(given.machine, body) and not (given.length is None and needs_length(given.machine, body)):
             mesh = make_mesh(body, -np.array(given.setup.origin), progress)
             sample, _, _ = surface_samples(mesh, math.sqrt(float(mesh.area.sum()) / POINTS))
             yield HeldBody(
-                locked_letters(given.machine, body), mesh, (mesh.vertex @ WAYS.T).max(axis=0), sample
+                find_locked_letters(given.machine, body), mesh, (mesh.vertex @ WAYS.T).max(axis=0), sample
             )
 
 
