@@ -383,7 +383,7 @@ def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_
 @pytest.mark.slow
 def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
     """The comparison above can fail: the straight swing dips the bottom's rim into the edge."""
-    monkeypatch.setattr(seating, "_swung", lambda path, axis, *_: (path, axis))
+    monkeypatch.setattr(seating, "_swing_hubs", lambda path, axis, *_: (path, axis))
     lifted = over_sharp_edges(parts, "dome", "lift", cutter="bull:10:2")
     assert "lifted" in {finding.code for finding in lifted.findings}
 

@@ -73,8 +73,8 @@ def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints)
     plate = tree.plates(node)
     place, lean = _inner(plate.normal, sweep.tip), _inner(plate.normal, sweep.unit)
     go, turn = _dot(plate.normal, sweep.travel), _dot(plate.normal, sweep.turn)
-    up = _swept(piece, sweep, go, lean, turn) + place - plate.bottom
-    down = _swept(piece, sweep, _opposite(go), -lean, _opposite(turn)) - place + plate.top
+    up = _compute_swept_support(piece, sweep, go, lean, turn) + place - plate.bottom
+    down = _compute_swept_support(piece, sweep, _opposite(go), -lean, _opposite(turn)) - place + plate.top
     return np.asarray(np.minimum(up, down))
 
 
@@ -141,10 +141,12 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
 def _compute_support(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
     """Return the support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's
     middle tip."""
-    return _swept(piece, sweep, _dot(g, sweep.travel), _inner(g, sweep.unit), _dot(g, sweep.turn))
+    return _compute_swept_support(
+        piece, sweep, _dot(g, sweep.travel), _inner(g, sweep.unit), _dot(g, sweep.turn)
+    )
 
 
-def _swept(
+def _compute_swept_support(
     piece: Piece, sweep: StraightSweep, go: Floats | None, lean: Floats, turn: Floats | None
 ) -> Floats:
     """:func:`_compute_support` from what travel, unit axis and turn are along g; it is largest at one of the

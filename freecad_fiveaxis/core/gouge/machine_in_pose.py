@@ -126,13 +126,13 @@ class PairInPose:
     def meet(self, off: Floats) -> Bools:
         """Tell where (n,) they do, all joints (n, 5) in mm and rad."""
         joints, met = off[:, self.at], np.zeros(len(off), np.bool_)
-        rows = np.flatnonzero(~self._proven(joints)) if self.turned else np.arange(len(off))
+        rows = np.flatnonzero(~self._is_proven(joints)) if self.turned else np.arange(len(off))
         poses, guess = self.motion.lines(joints[rows]).poses, np.tile((0.0, 0.0, 1.0), (len(rows), 1))
         gaps = find_gaps(self.motion.moved, self.standing, poses, self.within, np.zeros(len(rows)), guess)
         met[rows] = ~(gaps.least > 0.0)
         return met
 
-    def _proven(self, joints: Floats) -> Bools:
+    def _is_proven(self, joints: Floats) -> Bools:
         """Which joints (n, k) lie in a free cell."""
         low, high = self.low[self.at - 3], self.high[self.at - 3]
         cell = np.minimum(((joints - low) / (high - low) * CELLS).astype(np.int64), CELLS - 1)
@@ -272,7 +272,7 @@ class MachineInPose:
         words = q_to_words(joint_words(given.kinematics, tip + given.back * axis, angles))
         met = np.asarray(np.isnan(words).any(axis=1))
         for locked in sorted({one.locked for one in self.held} - {""}):
-            self._add_hits(met, locked, stack, *self._seen_from(locked, words), limit)
+            self._add_hits(met, locked, stack, *self._view_from_body(locked, words), limit)
         off = words - zero_words(given.machine, given.setup, given.kinematics)
         off[:, 3:], (first, which) = np.deg2rad(off[:, 3:]), _different(angles)
         for pair in self.pairs:
@@ -283,7 +283,7 @@ class MachineInPose:
                 met[rows] = pair.meet(off[rows])
         return met
 
-    def _seen_from(self, locked: str, words: Floats) -> tuple[Floats, Floats]:
+    def _view_from_body(self, locked: str, words: Floats) -> tuple[Floats, Floats]:
         """Tips (n, 3) and axes (n, 3) as a body sees them from which on these axes are locked."""
         given = self.given
         words = lock_words(given.machine, given.setup, given.kinematics, words, locked)

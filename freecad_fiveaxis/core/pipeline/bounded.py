@@ -83,8 +83,8 @@ def _within(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
     if boundary is None:
         return None
     stand = context.settings.cutter.cutter.corner if context.settings.boundary.boundary_by == CENTRE else 0.0
-    normal, curves, seen = context.mesh.normal, boundary.curves, boundary.seen
-    return lambda point, facet: curves.inside(seen(point + stand * normal[facet]))
+    normal, curves, project = context.mesh.normal, boundary.curves, boundary.project
+    return lambda point, facet: curves.inside(project(point + stand * normal[facet]))
 
 
 def leads_outside(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:
@@ -93,7 +93,7 @@ def leads_outside(context: MillContext, path: CLPath, begin: Ints, end: Ints) ->
     if boundary is None:
         return np.zeros(len(begin), np.bool_)
     by_centre = settings.boundary.boundary_by == CENTRE
-    place = boundary.seen(
+    place = boundary.project(
         path.tip + compute_driven_to_hub(settings) * path.axis if by_centre else path.contact
     )
     found = ~boundary.curves.inside(0.5 * (place[begin] + place[end]))

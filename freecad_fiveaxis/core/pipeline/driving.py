@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.motion.linearize import linearize
 from freecad_fiveaxis.core.motion.program import block_findings, build_program
 from freecad_fiveaxis.core.motion.singularity import in_cone
 from freecad_fiveaxis.core.nc.writer import write_nc
-from freecad_fiveaxis.core.tool.body import seen_from
+from freecad_fiveaxis.core.tool.body import lower_body
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .context import JobContext, MillContext
@@ -27,7 +27,7 @@ def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath
     up."""
     settings, kinematics = context.settings, context.kinematics
     clearance, radius = settings.links.clearance, settings.cutter.cutter.radius
-    tool = seen_from(choose_rapid_body(settings), tip_to_driven(settings))
+    tool = lower_body(choose_rapid_body(settings), tip_to_driven(settings))
     blocked = (
         context.bodies.is_blocked if isinstance(context, MillContext) and context.bodies is not None else None
     )
