@@ -5,11 +5,14 @@ inside FreeCAD.
 path    the whole picture of a path, to the bare lines of its strokes
 map     a map of rest material, to its bare facets
 labels  eight labels and two legends, one of them seen, over a ball, to the ball alone
+play    a machine of half a million facets that moves, to its bare facets that stand still; and what a step
+        takes besides drawing
 
 A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no
 graphics card.
 """
 
+import json
 import statistics
 import sys
 import time
@@ -32,6 +35,8 @@ from large_scenes import Frames, long_path, picture_of_long, surface  # noqa: E4
 from report_examples import dome  # noqa: E402
 from timing import print_table  # noqa: E402
 
+from freecad_fiveaxis.core.geometry.mesh import write_stl  # noqa: E402
+from freecad_fiveaxis.core.machine.machine_file import machine_folder  # noqa: E402
 from freecad_fiveaxis.core.report.rest_material_map import height_scale  # noqa: E402
 from freecad_fiveaxis.gui.scene import nodes, on_screen, path_nodes, rest_nodes, words  # noqa: E402
 
@@ -109,6 +114,61 @@ def test_map(view, capsys, monkeypatch):
         rows.append(row(view, name, (node,), bare(mesh.vertex[mesh.face].reshape(-1, 3), 3)))
     with capsys.disabled():
         print_table("A map of rest material, to its bare facets", HEADS, rows)
+
+
+BLOCKS = "G21 G90 G94\nG1 X0 Y0 Z60 A0 C0 F2000\nG1 X40 Y5 Z50 A40 C80\nG1 X0 Y-40 Z60 A-40 C200\nM2\n"
+BODY = {"name": "housing", "carrier": "A", "file": "housing.stl"}
+
+
+def play_of(view, folder, side):
+    """Open the player on a machine with one body, on A, of 2 (side - 1)^2 facets; its panel and these."""
+    from freecad_fiveaxis import app
+    from freecad_fiveaxis.gui import play
+    from freecad_fiveaxis.gui.play import panel
+
+    mesh = surface(side)[0]
+    write_stl(mesh, folder / "housing.stl")
+    data = json.loads((machine_folder() / "trunnion_ac.fcm").read_text(encoding="utf-8"))
+    data["fiveaxis"]["bodies"] = [BODY]
+    (folder / "m.fcm").write_text(json.dumps(data), encoding="utf-8")
+    (folder / "p.ngc").write_text(BLOCKS, encoding="utf-8")
+    play.show(app.audit(FreeCAD.ActiveDocument, str(folder / "p.ngc"), str(folder / "m.fcm")))
+    shown = panel.current()
+    shown.controls.machine.setChecked(True)
+    QtCore.QCoreApplication.processEvents()
+    return shown, mesh
+
+
+def steps(view, shown, draw):
+    """Of each of REPEAT rounds: the processor's time of a step of the player, s; with drawing, that of a
+    frame."""
+    frames, found = Frames(), []
+    view.getSceneGraph().addChild(frames.node)
+    for _ in range(1 + REPEAT):
+        frames.count, began = 0, time.process_time()
+        for at in range(TURNS):
+            shown.player.block, shown.player.u = 1 + at % 2, at / TURNS
+            shown.refresh()
+            if draw:
+                view.redraw()
+                QtCore.QCoreApplication.processEvents()
+        found.append((time.process_time() - began) / (max(frames.count, 1) if draw else TURNS))
+    view.getSceneGraph().removeChild(frames.node)
+    return found[1:]
+
+
+def test_play(view, capsys, tmp_path):
+    shown, mesh = play_of(view, tmp_path, 501)
+    view.viewIsometric()
+    view.fitAll()
+    moved, step = (statistics.median(steps(view, shown, draw)) for draw in (True, False))
+    shown.reject()
+    peer = statistics.median(seconds(view, *bare(mesh.vertex[mesh.face].reshape(-1, 3), 3)))
+    name = f"{len(mesh.face)} facets"
+    with capsys.disabled():
+        found = [(name, f"{1e3 * moved:.1f}", f"{1e3 * peer:.1f}", f"{moved / peer:.2f}")]
+        print_table("A machine that moves, to its bare facets", HEADS, found)
+        print(f"of that, all but drawing: {1e3 * step:.2f} ms a step")
 
 
 def test_labels(view, capsys, monkeypatch):

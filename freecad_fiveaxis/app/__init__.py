@@ -229,14 +229,16 @@ def prove_signs(
     return done
 
 
-def import_machine(source: Any, fcm_file: Any = None) -> str:
+def import_machine(source: Any, fcm_file: Any = None, bodies: Any = None) -> str:
     """Make a machine file of a LinuxCNC .ini, a .urdf or a file of FreeCAD's Machine editor; returns its
     name.
 
-    ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. The meshes of a
-    .urdf are written beside it. Raises FiveAxisError.
+    ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. ``bodies``: the
+    vismach model of a LinuxCNC .ini, which is read, never run. Meshes of bodies are written beside the
+    machine file. Raises FiveAxisError.
     """
     from . import arguments, importing
 
     source, fcm_file = arguments.file_name(source), arguments.file_name_or_none(fcm_file)
-    return importing.write(importing.read(source), fcm_file)
+    bodies = arguments.file_name_or_none(bodies)
+    return importing.write(importing.read(source, bodies), fcm_file)

@@ -7,19 +7,31 @@ import os
 from pathlib import Path
 from typing import Any
 
-from freecad_fiveaxis.core.base.errors import FileError, SettingsError
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, check_writable
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine.importing import Imported, import_machine, save_imported
+from freecad_fiveaxis.core.machine.importing import Imported, find_model, import_machine, save_imported
 
 from . import machines
 
 
-def read(source: Any) -> Imported:
-    """Return the machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open.
-    Raises FiveAxisError."""
-    check_readable(source)
-    return import_machine(os.fspath(source))
+def read(source: Any, bodies: Any = None) -> Imported:
+    """Return the machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open;
+    ``bodies``: the vismach model of a LinuxCNC .ini, None or empty for none. Raises FiveAxisError."""
+    for one in filter(None, (source, bodies)):
+        check_readable(one)
+    return import_machine(os.fspath(source), os.fspath(bodies or ""))
+
+
+def find_bodies(source: Any) -> str:
+    """Return the vismach model that a LinuxCNC .ini starts; empty where there is none, or it cannot be
+    read."""
+    if Path(source).suffix.lower() != ".ini":
+        return ""
+    try:
+        return os.fspath(find_model(Path(source)) or "")
+    except FiveAxisError:
+        return ""
 
 
 def check_target(fcm_file: Any) -> None:

@@ -220,6 +220,11 @@ def _add_import(commands: Any) -> None:
         required=True,
         help="the machine file to write; no file is overwritten",
     )
+    parser.add_argument(
+        "--bodies",
+        metavar="MODEL.py",
+        help="bodies from the vismach model of the configuration; it is read, never run",
+    )
     parser.add_argument("--quiet", action="store_true", help="no table on the terminal")
     parser.set_defaults(act=_import_machine)
 
@@ -423,9 +428,10 @@ def _import_machine(arguments: argparse.Namespace) -> int:
         raise SettingsError(
             say("machine file {output} needs the ending .fcm", output=arguments.output), arguments.output
         )
-    check_readable(arguments.source)
+    for source in filter(None, (arguments.source, arguments.bodies)):
+        check_readable(source)
     check_writable(arguments.output)
-    imported = import_machine(arguments.source)
+    imported = import_machine(arguments.source, arguments.bodies or "")
     written = save_imported(imported, arguments.output)
     if not arguments.quiet:
         _show_report([as_text(imported), *_wrote(written)], written)

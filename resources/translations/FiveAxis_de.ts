@@ -1883,6 +1883,10 @@
         <translation>Netz des Körpers wählen</translation>
     </message>
     <message>
+        <source>Choose the vismach model</source>
+        <translation>Vismach-Modell wählen</translation>
+    </message>
+    <message>
         <source>Clearance</source>
         <translation>Sicherheitsabstand</translation>
     </message>
@@ -2291,6 +2295,10 @@
         <translation>Art</translation>
     </message>
     <message>
+        <source>Largest acceleration</source>
+        <translation>Größte Beschleunigung</translation>
+    </message>
+    <message>
         <source>Largest axis angle</source>
         <translation>Größter Achswinkel</translation>
     </message>
@@ -2433,6 +2441,10 @@
     <message>
         <source>Meshes (*.stl)</source>
         <translation>Netze (*.stl)</translation>
+    </message>
+    <message>
+        <source>Model with bodies</source>
+        <translation>Modell mit Körpern</translation>
     </message>
     <message>
         <source>More settings</source>
@@ -3379,6 +3391,10 @@
         <translation>Wert</translation>
     </message>
     <message>
+        <source>Vismach models (*.py)</source>
+        <translation>Vismach-Modelle (*.py)</translation>
+    </message>
+    <message>
         <source>Warning</source>
         <translation>Warnung</translation>
     </message>
@@ -3437,6 +3453,10 @@
     <message>
         <source>What the distance is proven to stay below, all through this block</source>
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
+    </message>
+    <message>
+        <source>What the drive reaches; it is kept in the file, nothing reckons with it</source>
+        <translation>Was der Antrieb erreicht; es bleibt in der Datei, nichts rechnet damit</translation>
     </message>
     <message>
         <source>What the lists call the machine</source>
@@ -3945,6 +3965,10 @@
     <message>
         <source>now</source>
         <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>of a LinuxCNC .ini: its vismach model, which is read, never run</source>
+        <translation>zu einer .ini von LinuxCNC: ihr Vismach-Modell; es wird gelesen, nie ausgeführt</translation>
     </message>
     <message>
         <source>off</source>
@@ -4816,6 +4840,10 @@
         <translation>Geringste Abweichung: {way}, {deviation} in {time}.</translation>
     </message>
     <message>
+        <source>Left out of {name} is what is not plain: {parts}</source>
+        <translation>Aus {name} weggelassen ist, was nicht schlicht ist: {parts}</translation>
+    </message>
+    <message>
         <source>Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part in another position ({setup} finds one), so that the tool keeps off the pole.</source>
         <translation>Die Werkzeugachse am Pol vorbeidrehen lassen ({past}), das Werkzeug um einige Grad neigen ({lead}, {tilt}) oder das Werkstück anders aufspannen ({setup} findet eine Lage), damit das Werkzeug vom Pol wegbleibt.</translation>
     </message>
@@ -4874,6 +4902,10 @@
     <message>
         <source>No HAL file sets {lacking} of {module}; LinuxCNC has the values in brackets then. Is that so?</source>
         <translation>Keine HAL-Datei setzt {lacking} von {module}; bei LinuxCNC gelten dann die Werte in Klammern. Stimmt das?</translation>
+    </message>
+    <message>
+        <source>No HAL file sets {pins} of {name}; LinuxCNC has 0 there then. Is that so?</source>
+        <translation>Keine HAL-Datei setzt {pins} von {name}; LinuxCNC hat dann 0. Ist das so?</translation>
     </message>
     <message>
         <source>No cutter is given; the CL file's is taken: {cutter}.</source>
@@ -4962,6 +4994,10 @@
     <message>
         <source>On {machine} with correction {cure} the path cannot be driven: {problem}</source>
         <translation>Auf {machine} mit Korrektur {cure} kann der Werkzeugweg nicht gefahren werden: {problem}</translation>
+    </message>
+    <message>
+        <source>One shape of {name} moves with the tool's length; it is taken for the tool, not for a body.</source>
+        <translation>Eine Form aus {name} bewegt sich mit der Werkzeuglänge; sie gilt als Werkzeug, nicht als Körper.</translation>
     </message>
     <message>
         <source>Only {letter} moves: the table goes {wrong} by {travel}; the tool, seen from the part, goes {right}.</source>
@@ -6368,6 +6404,10 @@
         <translation>von rechts</translation>
     </message>
     <message>
+        <source>from work to tool it has {model}, the kinematics {kinematics}; one of them can be right</source>
+        <translation>vom Werkstück zum Werkzeug hat es {model}, die Kinematik {kinematics}; nur eines kann stimmen</translation>
+    </message>
+    <message>
         <source>front</source>
         <translation>vordere</translation>
     </message>
@@ -6476,6 +6516,10 @@
         <translation>er gibt mehr Werte, als das Programm nimmt</translation>
     </message>
     <message>
+        <source>it has more than {most} shapes; give a model of fewer, larger ones</source>
+        <translation>es hat mehr als {most} Formen; geben Sie ein Modell mit weniger, größeren an</translation>
+    </message>
+    <message>
         <source>it has more values than are known here</source>
         <translation>er hat mehr Werte, als hier bekannt sind</translation>
     </message>
@@ -6492,8 +6536,16 @@
         <translation>sie hat keinen Link; geben Sie die URDF-Datei einer Maschine an</translation>
     </message>
     <message>
+        <source>it has no main(model, tool, work) that can be read; give the script of a vismach model</source>
+        <translation>es hat kein main(model, tool, work), das sich lesen lässt; geben Sie das Skript eines Vismach-Modells an</translation>
+    </message>
+    <message>
         <source>it has no {name}</source>
         <translation>{name} fehlt</translation>
+    </message>
+    <message>
+        <source>it has too many parts; give a simpler model</source>
+        <translation>es hat zu viele Teile; geben Sie ein einfacheres Modell an</translation>
     </message>
     <message>
         <source>it is a xacro file; run xacro on it first, and give the URDF that it writes</source>
@@ -6504,8 +6556,20 @@
         <translation>er ist leer; einen Text in Anführungszeichen schreiben</translation>
     </message>
     <message>
+        <source>it is flat</source>
+        <translation>sie ist flach</translation>
+    </message>
+    <message>
+        <source>it is nested too deep; give the script of a vismach model</source>
+        <translation>es ist zu tief verschachtelt; geben Sie das Skript eines Vismach-Modells an</translation>
+    </message>
+    <message>
         <source>it is no XML that can be read ({error}); correct it</source>
         <translation>sie ist kein lesbares XML ({error}); berichtigen Sie sie</translation>
+    </message>
+    <message>
+        <source>it is no script; give the script of a vismach model</source>
+        <translation>es ist kein Skript; geben Sie das Skript eines Vismach-Modells an</translation>
     </message>
     <message>
         <source>it is too tight for the cutter; use a smaller one</source>
@@ -6514,6 +6578,10 @@
     <message>
         <source>it makes too many pecks</source>
         <translation>er macht zu viele Zustellungen</translation>
+    </message>
+    <message>
+        <source>it moves by {axes} as neither table nor tool do</source>
+        <translation>sie bewegt sich mit {axes}, wie es weder Tisch noch Werkzeug tun</translation>
     </message>
     <message>
         <source>it must be {bounds}</source>
@@ -6568,6 +6636,10 @@
         <translation>seine Zustellungen werden kleiner (I)</translation>
     </message>
     <message>
+        <source>its pin is joined with several axes: {axes}</source>
+        <translation>ihr Pin ist mit mehreren Achsen verbunden: {axes}</translation>
+    </message>
+    <message>
         <source>its process died, as when memory runs out; give fewer {workers}, or a coarser part</source>
         <translation>sein Prozess ist gestorben, wie bei zu wenig Speicher; weniger {workers} angeben oder ein gröberes Teil</translation>
     </message>
@@ -6582,6 +6654,10 @@
     <message>
         <source>its root is &lt;{tag}&gt;, not &lt;robot&gt;; give a URDF file</source>
         <translation>ihre Wurzel ist &lt;{tag}&gt;, nicht &lt;robot&gt;; geben Sie eine URDF-Datei an</translation>
+    </message>
+    <message>
+        <source>its tool does not stand along Z with every joint at zero; turn the model so</source>
+        <translation>sein Werkzeug steht nicht längs Z, wenn alle Gelenke auf null stehen; drehen Sie das Modell so</translation>
     </message>
     <message>
         <source>its values are no numbers</source>
@@ -6712,6 +6788,10 @@
         <translation>Zeile 1, Spalte 1: die GOTO-Anweisungen sind nicht lesbar</translation>
     </message>
     <message>
+        <source>line {line} is no Python 3 ({what}); correct it</source>
+        <translation>Zeile {line} ist kein Python 3 ({what}); berichtigen Sie sie</translation>
+    </message>
+    <message>
         <source>line {line}, column {at}: {reason}: {found}</source>
         <translation>Zeile {line}, Spalte {at}: {reason}: {found}</translation>
     </message>
@@ -6740,6 +6820,18 @@
         <translation>Zeile {line}: die Schleife endet nicht: {most} Zeilen wurden ausgeführt; ihre Bedingung berichtigen oder die Bewegungen selbst ausgeben</translation>
     </message>
     <message>
+        <source>line {line}: {error}</source>
+        <translation>Zeile {line}: {error}</translation>
+    </message>
+    <message>
+        <source>line {line}: {file} is not found; put it beside the model</source>
+        <translation>Zeile {line}: {file} ist nicht zu finden; legen Sie sie neben das Modell</translation>
+    </message>
+    <message>
+        <source>line {line}: {text}</source>
+        <translation>Zeile {line}: {text}</translation>
+    </message>
+    <message>
         <source>line {number}, column {column}: {reason}: {statement}</source>
         <translation>Zeile {number}, Spalte {column}: {reason}: {statement}</translation>
     </message>
@@ -6750,6 +6842,10 @@
     <message>
         <source>lines that a switch of the control skips</source>
         <translation>Zeilen, die ein Schalter der Steuerung überspringt</translation>
+    </message>
+    <message>
+        <source>lines {line} and {other} both move tool or work by {letter}; one of them can be right</source>
+        <translation>die Zeilen {line} und {other} bewegen beide Werkzeug oder Werkstück mit {letter}; nur eine kann stimmen</translation>
     </message>
     <message>
         <source>link {name}</source>
@@ -6834,6 +6930,10 @@
     <message>
         <source>machines are compared on a toolpath: select a toolpath</source>
         <translation>Maschinen werden an einem Werkzeugweg verglichen: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>maximum acceleration {max_acceleration} is not positive; give what the drive reaches</source>
+        <translation>die größte Beschleunigung {max_acceleration} ist nicht positiv; geben Sie an, was der Antrieb erreicht</translation>
     </message>
     <message>
         <source>maximum rate {max_rate} is not positive; give what the drive reaches</source>
@@ -7116,6 +7216,10 @@
         <translation>nichts anderes</translation>
     </message>
     <message>
+        <source>nothing in it moves tool or work by {letters}</source>
+        <translation>nichts darin bewegt Werkzeug oder Werkstück mit {letters}</translation>
+    </message>
+    <message>
         <source>nothing is left to cut: {why}; use a smaller allowance or tool</source>
         <translation>nichts bleibt zu fräsen: {why}; nehmen Sie einen kleineren Abstand oder ein kleineres Werkzeug</translation>
     </message>
@@ -7158,6 +7262,10 @@
     <message>
         <source>one link must carry all others and hang from none; of it hang from none: {roots}</source>
         <translation>ein Link muss alle anderen tragen und an keinem hängen; hier hängen an keinem: {roots}</translation>
+    </message>
+    <message>
+        <source>one more</source>
+        <translation>noch eine</translation>
     </message>
     <message>
         <source>only a part of the chosen faces lies on the mesh</source>
@@ -7210,6 +7318,10 @@
     <message>
         <source>parts of the file that are no NC text</source>
         <translation>Teile der Datei sind kein NC-Text</translation>
+    </message>
+    <message>
+        <source>parts of the machine's model are not read</source>
+        <translation>Teile des Modells der Maschine sind nicht gelesen</translation>
     </message>
     <message>
         <source>passes along X, in direction {angle}</source>
@@ -7544,6 +7656,10 @@
         <translation>die beste Stellung liegt am Rand des Bereichs</translation>
     </message>
     <message>
+        <source>the captures at tool and work, which main is given, do not stand in what can be read of the model</source>
+        <translation>die Captures an Werkzeug und Werkstück, die main bekommt, stehen nicht in dem, was sich vom Modell lesen lässt</translation>
+    </message>
+    <message>
         <source>the control shows other positions than it drives</source>
         <translation>die Steuerung zeigt andere Positionen an, als sie fährt</translation>
     </message>
@@ -7750,6 +7866,10 @@
     <message>
         <source>the machine's centres of rotation, about which it leads the axes, are not known</source>
         <translation>die Drehzentren der Maschine, um die sie die Achsen führt, sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the machine's model moves otherwise than its kinematics</source>
+        <translation>das Modell der Maschine bewegt sich anders als ihre Kinematik</translation>
     </message>
     <message>
         <source>the mark</source>
@@ -8228,6 +8348,10 @@
         <translation>Toleranz {tolerance} in {count} von {all} Vorschubsätzen nicht nachgewiesen</translation>
     </message>
     <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
         <source>tool and spindle, as far as they are given, stay out of the machine's bodies: {names}</source>
         <translation>Werkzeug und Spindel, soweit angegeben, bleiben aus den Körpern der Maschine draußen: {names}</translation>
     </message>
@@ -8508,6 +8632,10 @@
         <translation>{blocks} {letter} über die Grenze von {limit} hinaus: am weitesten NC-Zeile {line}, {letter}{word}, {beyond} zu weit; die erste ist NC-Zeile {first}. {help}, oder eine Maschine mit mehr Weg nehmen.</translation>
     </message>
     <message>
+        <source>{bodies} has the bodies of a LinuxCNC .ini; leave it out for {path}</source>
+        <translation>{bodies} hat die Körper zu einer .ini von LinuxCNC; lassen Sie es bei {path} weg</translation>
+    </message>
+    <message>
         <source>{cause} What follows from it is not told one by one ({count} in all): {codes}.</source>
         <translation>{cause} Was daraus folgt, wird nicht einzeln genannt (zusammen {count}): {codes}.</translation>
     </message>
@@ -8590,6 +8718,10 @@
     <message>
         <source>{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide blocks, or set wrap_strategy to unwound.</source>
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
+    </message>
+    <message>
+        <source>{count} bodies of {name} are taken, moved by {shift} so that its tool's tip stands in the gauge point. By it the table moves with {table}, the tool with {head}. Take out what is only drawn there (marks, a workpiece) with the machine editor.</source>
+        <translation>{count} Körper aus {name} sind übernommen, verschoben um {shift}, sodass die Spitze des Werkzeugs im Bezugspunkt steht. Danach bewegt sich der Tisch mit {table}, das Werkzeug mit {head}. Nehmen Sie im Maschineneditor heraus, was dort nur gezeichnet ist (Marken, ein Werkstück).</translation>
     </message>
     <message>
         <source>{count} corners (,R ,C, RND=, RNDM=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.</source>
@@ -8704,6 +8836,10 @@
         <translation>{count} Verbindungen oder Rückdrehungen fahren um Maschinenkörper herum, höchstens {height} höher als über das Teil allein.</translation>
     </message>
     <message>
+        <source>{count} more</source>
+        <translation>{count} weitere</translation>
+    </message>
+    <message>
         <source>{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.</source>
         <translation>{count} Bewegungen nach MULTAX/OFF nennen keine Achse; das Werkzeug behält die letzte, die nicht senkrecht ist.</translation>
     </message>
@@ -8798,6 +8934,10 @@
     <message>
         <source>{count} setups that were tried are passed over, because tool or spindle hit the machine there: with the work zero at {origin} the {name} by {depth}.</source>
         <translation>{count} geprüfte Aufspannungen sind übergangen, weil Werkzeug oder Spindel dort die Maschine treffen: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
+    </message>
+    <message>
+        <source>{count} shapes of {name} move with the tool's length; they are taken for the tool, not for bodies.</source>
+        <translation>{count} Formen aus {name} bewegen sich mit der Werkzeuglänge; sie gelten als Werkzeug, nicht als Körper.</translation>
     </message>
     <message>
         <source>{count} sides are not machined ({area})</source>
@@ -9284,6 +9424,14 @@
         <translation>{name} liegt auf dem Werkstück, aber die Facetten zeigen hinein; die Flächen mit den Normalen nach außen neu exportieren</translation>
     </message>
     <message>
+        <source>{name} line {line} moves {letter} along or about {model}, the kinematics {ours}; the machine is that of the kinematics. Which is right?</source>
+        <translation>{name} Zeile {line} bewegt {letter} längs oder um {model}, die Kinematik {ours}; die Maschine ist die der Kinematik. Was stimmt?</translation>
+    </message>
+    <message>
+        <source>{name} line {line} turns {letter} about a line that is {apart} from that of the kinematics; the machine is that of the kinematics. Which is right?</source>
+        <translation>{name} Zeile {line} dreht {letter} um eine Linie, die {apart} von der der Kinematik entfernt ist; die Maschine ist die der Kinematik. Was stimmt?</translation>
+    </message>
+    <message>
         <source>{name} lists no sizes; save the tool once more in FreeCAD's tool editor</source>
         <translation>{name} nennt keine Maße; das Werkzeug in FreeCADs Werkzeugeditor noch einmal speichern</translation>
     </message>
@@ -9604,6 +9752,10 @@
         <translation>{place}: {letter}{value} liegt jenseits von {farthest}; fehlt ein Dezimalpunkt?</translation>
     </message>
     <message>
+        <source>{problem}; left out is {parts}</source>
+        <translation>{problem}; weggelassen ist {parts}</translation>
+    </message>
+    <message>
         <source>{reason}. {cause}</source>
         <translation>{reason}. {cause}</translation>
     </message>
@@ -9702,6 +9854,26 @@
     <message>
         <source>{text} is no usable number; write a finite one</source>
         <translation>{text} ist keine brauchbare Zahl; eine endliche schreiben</translation>
+    </message>
+    <message>
+        <source>{text} moves by {gain} times {letter}</source>
+        <translation>{text} bewegt sich um das {gain}-fache von {letter}</translation>
+    </message>
+    <message>
+        <source>{text} turns about no direction, or by no angle</source>
+        <translation>{text} dreht um keine Richtung oder um keinen Winkel</translation>
+    </message>
+    <message>
+        <source>{text}, which line {line} may have changed</source>
+        <translation>{text}, was Zeile {line} verändert haben kann</translation>
+    </message>
+    <message>
+        <source>{text}: {error}</source>
+        <translation>{text}: {error}</translation>
+    </message>
+    <message>
+        <source>{text}: {problem}</source>
+        <translation>{text}: {problem}</translation>
     </message>
     <message>
         <source>{text}; give a smaller {angle}</source>

@@ -25,7 +25,7 @@ CALLS = {
                 ("path", ["trunnion_ac"], [5]), ("path", ["trunnion_ac"], (), "long")],
     "recover": [(None, None), (5, "a.ngc"), ("a.apt", 5), ("a.apt", ["b"]), ("a.apt", "a.ngc", 5)],
     "prove_signs": [(None, "trunnion_ac"), (5, "trunnion_ac"), ("o.ngc", None), ("o.ngc", 5), ("o.ngc", "trunnion_ac", 5), (["o.ngc"], "trunnion_ac")],
-    "import_machine": [(None,), (5,), (["a.ini"],), ("a.ini", 5)],
+    "import_machine": [(None,), (5,), (["a.ini"],), ("a.ini", 5), ("a.ini", None, 5)],
 }  # fmt: skip
 
 

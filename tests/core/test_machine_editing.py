@@ -124,6 +124,26 @@ def test_a_change_is_written_in_the_file_s_unit_and_nothing_else_is(tmp_path):
     assert new == old
 
 
+def test_an_acceleration_is_in_the_file_s_unit_and_may_be_taken_away(tmp_path):
+    given = imperial(tmp_path / "inches.fcm")
+    draft = read_draft(given)
+    found = {axis.letter: axis.max_acceleration for axis in load_machine(given).axes}
+    assert found["X"] == pytest.approx(12.5 * 25.4) and found["A"] == pytest.approx(math.radians(12.5))
+    x, a = (draft.letters().index(letter) for letter in "XA")
+    assert draft.axes[x].max_acceleration == pytest.approx(317.5) and draft.axes[a].max_acceleration == 12.5
+    changed = change_axis(change_axis(draft, x, max_acceleration=25.4), a, max_acceleration=None)
+    save_draft(changed, tmp_path / "new.fcm")
+    old, new = (
+        json.loads((tmp_path / name).read_bytes())["machine"]["axes"] for name in ("inches.fcm", "new.fcm")
+    )
+    assert new["X"].pop("max_acceleration") == pytest.approx(1.0) and "max_acceleration" not in new["A"]
+    assert new == {
+        letter: {key: value for key, value in axis.items() if letter not in "XA" or key != "max_acceleration"}
+        for letter, axis in old.items()
+    }
+    assert load_machine(tmp_path / "new.fcm").axes[a].max_acceleration == math.inf
+
+
 def test_every_value_that_can_be_edited_is_read_as_it_was_given(tmp_path):
     draft = read_draft("trunnion_ac")
     draft = replace(
@@ -140,6 +160,7 @@ def test_every_value_that_can_be_edited_is_read_as_it_was_given(tmp_path):
         high=90.0,
         max_rate=720.0,
         wrap="modulo",
+        max_acceleration=1800.0,
     )
     save_draft(draft, tmp_path / "mine.fcm")
     machine = load_machine(tmp_path / "mine.fcm")
@@ -161,7 +182,9 @@ def test_every_value_that_can_be_edited_is_read_as_it_was_given(tmp_path):
     assert math.degrees(axis.high) == pytest.approx(90.0) and math.degrees(axis.max_rate) == pytest.approx(
         720.0
     )
+    assert math.degrees(axis.max_acceleration) == pytest.approx(1800.0)
     data = json.loads((tmp_path / "mine.fcm").read_bytes())
+    assert data["machine"]["axes"]["A"]["max_acceleration"] == 1800.0
     assert data["postprocessor"]["file_name"] == "grbl", "FreeCAD's post goes with the controller"
     assert read_draft(tmp_path / "mine.fcm") == draft
 
@@ -225,6 +248,7 @@ def wrong(letter, /, **changes):
         (wrong("A", low=30.0, high=30.0), "axes.A", "limits min 30 deg"),
         (wrong("A", max_rate=0.0), "axes.A", "maximum rate 0 is not positive"),
         (wrong("A", max_rate=None), "axes.A", "axis A has no maximum rate"),
+        (wrong("A", max_acceleration=-1.0), "axes.A", "maximum acceleration -0.0174533 is not positive"),
         (wrong("C", direction=(0.0, 0.0, 0.0)), "axes.C", "has no direction"),
         (wrong("C", point=(0.0, 0.0, 2e6)), "axes.C", "joint origin (0, 0, 2e+06) is not finite or beyond"),
         (wrong("C", point=(0.0, math.nan, 0.0)), "axes.C", "joint.origin"),

@@ -181,6 +181,22 @@ def test_limits_come_from_the_joint_or_else_the_axis_and_of_rotary_axes_the_narr
     assert import_machine(str(free)).machine.axes[0].low == -math.inf
 
 
+def test_the_lower_acceleration_counts_and_none_need_be_given(write, tmp_path) -> None:
+    """[JOINT_0] 400 and [AXIS_X] 250 mm/s^2 for X, [JOINT_4] 90 deg/s^2 for C alone, nothing for Y."""
+    swap = {
+        "[JOINT_0]\n": "[JOINT_0]\nMAX_ACCELERATION = 400\n",
+        "[AXIS_X]\n": "[AXIS_X]\nMAX_ACCELERATION = 250\n",
+        "[JOINT_4]\n": "[JOINT_4]\nMAX_ACCELERATION = 90\n",
+    }
+    machine = import_machine(str(write(swap=swap))).machine
+    found = {axis.letter: axis.max_acceleration for axis in machine.axes}
+    assert found["X"] == 250.0 and found["C"] == pytest.approx(math.pi / 2) and found["Y"] == math.inf
+    save_machine(machine, tmp_path / "saved.fcm")
+    assert load_machine(str(tmp_path / "saved.fcm")).axes == machine.axes
+    with pytest.raises(MachineError, match=r"\[JOINT_0\], axis X: maximum acceleration 0 is not positive"):
+        import_machine(str(write(swap={"[JOINT_0]\n": "[JOINT_0]\nMAX_ACCELERATION = 0\n"})))
+
+
 def test_included_files_and_other_orders_of_joints_are_read(write, tmp_path) -> None:
     (tmp_path / "axes.inc").write_text("[TRAJ]\nANGULAR_UNITS = deg\n")
     path = write(swap={"ANGULAR_UNITS = deg\n": "#INCLUDE axes.inc\n", "sparm=": "coordinates=xyzca sparm="})

@@ -90,7 +90,12 @@ def test_a_machine_is_changed_and_written_as_a_new_file(
     until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
     assert field("machine_file").text() == str(folder / "mine.fcm")
     row("axes_table", "A")
-    for name, value in (("axis_low", "-30"), ("axis_high", "110 deg"), ("axis_rate", "720")):
+    for name, value in (
+        ("axis_low", "-30"),
+        ("axis_high", "110 deg"),
+        ("axis_rate", "720"),
+        ("axis_acceleration", "900"),
+    ):
         type_into(field(name), value)
     type_into(field("axis_point_z"), "-42.5 mm")
     click(field("axis_reverse"))
@@ -114,6 +119,7 @@ def test_a_machine_is_changed_and_written_as_a_new_file(
     new = json.loads((folder / "mine.fcm").read_bytes())
     a, x = (new["machine"]["axes"][letter] for letter in "AX")
     assert a["limits"] == {"min": -30.0, "max": 110.0} and a["max_velocity"] == 720.0
+    assert a.pop("max_acceleration") == 900.0 and "max_acceleration" not in x
     assert a["joint"] == {"origin": [0.0, 0.0, -42.5], "axis": [-1.0, 0.0, 0.0]}
     assert x["limits"] == {"min": pytest.approx(-304.8), "max": 500.0}
     for key in ("limits", "max_velocity", "joint"):

@@ -346,6 +346,51 @@ def test_a_machine_is_imported_with_its_findings(empty, whole_screen, folder, pr
     panel_button("Cancel")
 
 
+INI = """[KINS]
+KINEMATICS = xyzac-trt-kins
+[HAL]
+HALFILE = mill.hal
+[TRAJ]
+LINEAR_UNITS = mm
+ANGULAR_UNITS = deg
+"""
+MILL = """from vismach import *
+import hal
+c = hal.component("gui")
+tip, work = Capture(), Capture()
+head = HalTranslate([tip, CylinderZ(0, 20, 60, 30)], c, "spindle-z", 0, 0, 1)
+table = HalRotate([work, CylinderZ(-20, 60, 0, 60)], c, "rotate-c", 1, 0, 0, 1)
+table = HalRotate([table, Box(-70, -60, -50, 70, 60, -25)], c, "tilt-a", 1, 1, 0, 0)
+table = HalTranslate([table], c, "table-x", -1, 0, 0)
+table = HalTranslate([table, HalShow([Box(0, 0, 0, 1, 1, 1)], c, 1, "show")], c, "saddle-y", 0, -1, 0)
+main(Collection([head, table, Box(-300, 100, -300, 300, 200, 300)]), tip, work)
+"""
+
+
+def test_bodies_come_from_the_vismach_model_that_hal_starts(empty, whole_screen, folder, press, field, type_into, click, until,
+                                                            panel_button, screenshot, tmp_path, panel_closed):  # fmt: skip
+    limits = "MIN_LIMIT = -200\nMAX_LIMIT = 200\nMAX_VELOCITY = 50\n"
+    (tmp_path / "mill.ini").write_text(INI + "".join(f"[JOINT_{joint}]\n{limits}" for joint in range(5)))
+    (tmp_path / "mill.hal").write_text(
+        "loadusr -W ./gui.py\nsetp xyzac-trt-kins.y-offset 0\nsetp xyzac-trt-kins.z-offset 0\n"
+    )
+    (tmp_path / "gui.py").write_text(MILL)
+    press("FiveAxis_ImportMachine", SLID)
+    type_into(field("source"), str(tmp_path / "mill.ini"))
+    until(lambda: field("bodies").text() == str(tmp_path / "gui.py"), 20000, "the model that HAL starts")
+    until(lambda: field("machine_file").text() == str(folder / "mill.fcm"), 20000, "a name for the machine")
+    click(field("calculate"))
+    until(lambda: "HalShow" in shown(field, "result"), 20000, "what is left out")
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
+    screenshot("import-vismach")
+    panel_button("OK", 500)
+    panel_closed()
+    bodies = load_machine(str(folder / "mill.fcm")).bodies
+    assert [(body.name, body.carrier) for body in bodies] == [
+        ("head", "spindle"), ("table", "C"), ("table 2", "A"), ("body", "base")
+    ]  # fmt: skip
+
+
 URDF = """<robot name="home trunnion"><link name="base"/>
 <link name="cradle"><collision><geometry><mesh filename="cradle.stl" scale="0.001 0.001 0.001"/></geometry></collision></link>
 <link name="table"><collision><origin xyz="0 0 -0.065"/><geometry><cylinder radius="0.08" length="0.03"/></geometry></collision></link>

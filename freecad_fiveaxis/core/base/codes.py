@@ -489,6 +489,8 @@ class Code(str, Enum):
     FORWARD_DIFFERS = "forward-differs", WARNING, "", "the control shows other positions than it drives"
     HAL_FILE_NOT_READ = "hal-file-not-read", NOTE, "", "a HAL file was not read"
     MACHINE_DEFAULT = "machine-default", NOTE, "", "what the machine's file does not say was taken as usual"
+    MODEL_DIFFERS = "model-differs", WARNING, "mm", "the machine's model moves otherwise than its kinematics"
+    MODEL_LEFT_OUT = "model-left-out", WARNING, "", "parts of the machine's model are not read"
     OFFSET_FROM_PANEL = "offset-from-panel", WARNING, "", "an offset is where a slider of the screen starts"
     OFFSET_NOT_SET = (
         "offset-not-set",

@@ -8,6 +8,8 @@ parent    the axis that carries this one, null for the base. The axes of the tab
           end at the work, those of the head at the tool. Linear axes that stand beside a rotary one on the
           same parent are taken to lie nearer to the base; two rotary ones side by side leave the chain open
           and are refused.
+acceleration ``max_acceleration`` of an axis, mm/s^2 (inches with imperial units) or degrees/s^2, is ours:
+          FreeCAD drops it when it saves. It may be missing.
 unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
 fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
           ``singular_cone`` (degrees), ``controller``, ``rapids`` (interpolated, independent or unknown; the
@@ -266,7 +268,16 @@ def read_axis(letter: str, axes: JsonObject, unit: float) -> Axis:
     rate = get_number(axis, where, "max_velocity")
     rate = as_number(math.radians(rate) if rotary else rate * unit, where + "max_velocity")
     wrap = get_text(axis, where, "wrap_strategy") if rotary and "wrap_strategy" in axis else "unwound"
-    return Axis(letter, rotary, side, direction, point, low, high, rate, wrap)
+    acceleration = _acceleration(axis, where, rotary, unit)
+    return Axis(letter, rotary, side, direction, point, low, high, rate, wrap, acceleration)
+
+
+def _acceleration(axis: JsonObject, where: str, rotary: bool, unit: float) -> float:
+    """Return mm/s^2 or rad/s^2, infinite where the file does not say it."""
+    if "max_acceleration" not in axis:
+        return math.inf
+    given = get_number(axis, where, "max_acceleration")
+    return as_number(math.radians(given) if rotary else given * unit, where + "max_acceleration")
 
 
 def _limit(value: float, rotary: bool, unit: float) -> float:
@@ -455,6 +466,8 @@ def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
         "limits": {"min": max(in_file(axis.low), -UNLIMITED), "max": min(in_file(axis.high), UNLIMITED)},
         "max_velocity": in_file(axis.max_rate),
     }
+    if not math.isinf(axis.max_acceleration):
+        data["max_acceleration"] = in_file(axis.max_acceleration)
     if axis.rotary:
         data.update(solution_preference="shortest", allow_flip=True, wrap_strategy=axis.wrap)
     return data

@@ -57,7 +57,8 @@ class Axis:
 
     ``low`` and ``high`` in mm or rad, of the joint (for a rotary axis that is its word), infinite where there
     is no limit; ``max_rate`` mm/min or rad/min. ``wrap``: how the controller takes a rotary word: ``unwound``
-    (absolute, any number of turns), ``modulo`` or ``rezero``. Raises MachineError for values that no axis can
+    (absolute, any number of turns), ``modulo`` or ``rezero``. ``max_acceleration`` mm/s^2 or rad/s^2,
+    infinite where it is not known: nothing reckons with it. Raises MachineError for values that no axis can
     have.
     """
 
@@ -70,6 +71,7 @@ class Axis:
     high: float = math.inf
     max_rate: float = math.inf
     wrap: str = "unwound"
+    max_acceleration: float = math.inf
 
     @property
     def fitted(self) -> bool:
@@ -117,6 +119,14 @@ class Axis:
                 max_rate=Number(self.max_rate),
             ),
             self.max_rate,
+        )
+        self._need(
+            self.max_acceleration > 0,
+            say(
+                "maximum acceleration {max_acceleration} is not positive; give what the drive reaches",
+                max_acceleration=Number(self.max_acceleration),
+            ),
+            self.max_acceleration,
         )
         self._need(
             self.wrap in WRAPS,

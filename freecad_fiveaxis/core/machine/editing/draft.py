@@ -30,7 +30,8 @@ Side = Literal["table", "head"]
 class AxisDraft:
     """One axis. ``direction`` as given, of any length; ``point`` mm, of a rotary axis's line with all joints
     zero; ``low`` and ``high`` mm or degrees, infinite for no limit; ``max_rate`` mm/min or degrees/min, None
-    while it is not known. Nothing of it is checked here (:mod:`.check`)."""
+    while it is not known; ``max_acceleration`` mm/s^2 or degrees/s^2, or None likewise. Nothing of it is
+    checked here (:mod:`.check`)."""
 
     letter: str
     rotary: bool
@@ -41,6 +42,7 @@ class AxisDraft:
     high: float = math.inf
     max_rate: float | None = None
     wrap: str = "unwound"
+    max_acceleration: float | None = None
     source: JsonObject = field(default_factory=dict, compare=False, repr=False)
 
 
@@ -112,9 +114,11 @@ def read_axis_draft(letter: str, axis: JsonObject, unit: float) -> AxisDraft:
     low, high = (_limit(scale * axis["limits"][key]) for key in ("min", "max"))
     side: Side = "table" if axis["role"].startswith("table") else "head"
     wrap = axis.get("wrap_strategy", "unwound") if rotary else "unwound"
+    given = axis.get("max_acceleration")
     return AxisDraft(
-        letter, rotary, side, direction, point, low, high, scale * axis["max_velocity"], wrap, axis
-    )
+        letter, rotary, side, direction, point, low, high, scale * axis["max_velocity"], wrap,
+        None if given is None else scale * given, axis,
+    )  # fmt: skip
 
 
 def _limit(value: float) -> float:

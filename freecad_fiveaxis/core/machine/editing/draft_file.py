@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import copy
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,10 @@ from .draft import AxisDraft, MachineDraft, read_axis_draft
 
 TURNING = {"solution_preference": "shortest", "allow_flip": True, "wrap_strategy": "unwound"}
 """What FreeCAD's Machine editor asks of a rotary axis besides."""
+ENDS = {"low": "min", "high": "max"}
+"""The limits of an axis, and their keys."""
+OPEN = {"max_rate": "max_velocity", "max_acceleration": "max_acceleration"}
+"""Values that need not be known, and the keys that an axis then lacks."""
 
 
 def draft_bytes(draft: MachineDraft, folder: Path | None = None) -> bytes:
@@ -116,14 +120,20 @@ def axis_data(axis: AxisDraft, unit: float) -> dict[str, Any]:
             "origin": [_number(one / unit) for one in axis.point],
             "axis": [_number(one) for one in axis.direction],
         }
-    for name, key in (("low", "min"), ("high", "max")):
-        if is_changed(name):
-            data["limits"][key] = _limit(getattr(axis, name), scale)
-    if is_changed("max_rate"):
-        data["max_velocity"] = None if axis.max_rate is None else _number(axis.max_rate / scale)
+    _write_numbers(data, axis, [name for name in (*ENDS, *OPEN) if is_changed(name)], scale)
     if axis.rotary and is_changed("wrap"):
         data["wrap_strategy"] = axis.wrap
-    return {key: value for key, value in data.items() if key != "max_velocity" or value is not None}
+    return {key: value for key, value in data.items() if key not in OPEN.values() or value is not None}
+
+
+def _write_numbers(data: dict[str, Any], axis: AxisDraft, names: Sequence[str], scale: float) -> None:
+    """Write limits, rate and acceleration of these ``names``, None for what is not known."""
+    for name in names:
+        value = getattr(axis, name)
+        if name in ENDS:
+            data["limits"][ENDS[name]] = _limit(value, scale)
+        else:
+            data[OPEN[name]] = None if value is None else _number(value / scale)
 
 
 def _limit(value: float, scale: float) -> float:

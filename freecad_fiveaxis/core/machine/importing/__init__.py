@@ -3,5 +3,6 @@
 
 from .imported import Imported, as_text, import_machine
 from .save import save_imported
+from .vismach import find_model
 
-__all__ = ["Imported", "as_text", "import_machine", "save_imported"]
+__all__ = ["Imported", "as_text", "find_model", "import_machine", "save_imported"]

@@ -33,6 +33,8 @@ class HalValues:
     def __init__(self, ini: IniFile) -> None:
         self.loaded: list[Value] = []
         """What ``loadrt`` loads: module and options."""
+        self.programs: list[Value] = []
+        """What ``loadusr`` starts: options, program and its arguments."""
         self.panel = panel_values(ini)
         self.from_panel: dict[str, float] = {}
         """The pins whose value was asked for and is what a slider of the screen starts with."""
@@ -109,6 +111,14 @@ class HalValues:
                     f"sum2.{i}" for i in range(int(count) if re.fullmatch("[0-9]{1,2}", count) else 1)
                 )
 
+    def with_signal(self, pin: str) -> set[str]:
+        """Return the pins that a signal joins with one, that one too; empty where none does."""
+        return self.sources.get(self.signal_of.get(pin, ""), set())
+
+    def is_set(self, pin: str) -> bool:
+        """Tell whether anything sets a pin or joins it with another."""
+        return pin in self.set or len(self.with_signal(pin)) > 1
+
     def is_joined(self, pin: str, other: str) -> bool:
         """Whether one signal joins both pins."""
         signal = self.signal_of.get(pin)
@@ -124,6 +134,8 @@ class HalValues:
         match words:
             case ["loadrt", _, *_]:
                 self.loaded.append(Value(" ".join(words[1:]), where))
+            case ["loadusr", _, *_]:
+                self.programs.append(Value(" ".join(words[1:]), where))
             case ["setp", pin, value, *_]:
                 self.set[pin] = Value(value, where)
             case ["sets", signal, value, *_]:

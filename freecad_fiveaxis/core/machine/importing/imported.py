@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A machine from a file of another program, with what that file leaves open.
 
-LinuxCNC   an ini file (``.ini``) with kinematics of :mod:`.registry`, and the HAL files that it names.
+LinuxCNC   an ini file (``.ini``) with kinematics of :mod:`.registry`, and the HAL files that it names; bodies
+           by a vismach model (``.py``): :mod:`.vismach`.
 URDF       a robot description of ROS (``.urdf``): :mod:`.urdf`.
 FreeCAD    a file of the Machine editor (``.fcm``). It is this program's own format already; what it lacks is
            told.
@@ -46,16 +47,21 @@ class Imported:
     meshes: Mapping[str, Mesh] = field(default_factory=dict, compare=False)
 
 
-def import_machine(path: str) -> Imported:
+def import_machine(path: str, bodies: str = "") -> Imported:
     """Return the machine of a LinuxCNC ini file, a URDF file or a FreeCAD machine file, checked for a chain
     that can be solved.
 
-    Raises MachineError that names the missing or wrong value and its file, FileError where a file cannot be
-    read.
+    ``bodies``: the vismach model of a LinuxCNC configuration, a Python script, empty for none. Raises
+    MachineError that names the missing or wrong value and its file, FileError where a file cannot be read.
     """
     suffix, meshes = Path(path).suffix.lower(), dict[str, Mesh]()
+    if bodies and suffix != ".ini":
+        text = say(
+            "{bodies} has the bodies of a LinuxCNC .ini; leave it out for {path}", bodies=bodies, path=path
+        )
+        raise MachineError(text, bodies)
     if suffix == ".ini":
-        machine, findings = machine_of_ini(Path(path))
+        machine, findings, meshes = machine_of_ini(Path(path), Path(bodies) if bodies else None)
     elif suffix == ".urdf":
         machine, findings, meshes = machine_of_urdf(Path(path))
     elif suffix == ".fcm":
@@ -133,9 +139,9 @@ def _row(axis: Axis) -> str:
     unit, scale = ("deg", math.degrees(1.0)) if axis.rotary else ("mm", 1.0)
     line = f"  {axis.letter} {axis.side:5} {_vector(axis.direction):12}"
     line += f" through {_vector(axis.point):18}" if axis.rotary else 27 * " "
-    return (
-        line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
-    )
+    line += f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+    known = not math.isinf(axis.max_acceleration)
+    return line + (f", {axis.max_acceleration * scale:g} {unit}/s^2" if known else "")
 
 
 def _bodies(machine: Machine) -> list[str]:

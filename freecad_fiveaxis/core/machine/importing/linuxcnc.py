@@ -7,7 +7,8 @@ module   what a HAL file loads by ``loadrt``, else ``[KINS] KINEMATICS``. ``coor
 axes     those that the module and [TRAJ] COORDINATES have. What a machine file cannot hold stays at 0, and a
          finding says so.
 joint    limits are those of [JOINT_n], of [AXIS_L] where they are missing there; the narrower of both for
-         rotary axes, whose word is the joint in every kinematics. A rate is the lower of both.
+         rotary axes, whose word is the joint in every kinematics. A rate is the lower of both, as is an
+         acceleration, which may be missing.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Number, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Axis, Machine
 
 from .hal_files import HalValues
@@ -27,6 +29,7 @@ from .ini_file import IniFile, Value, number
 from .pins import PinValues, pin_values
 from .record import Given, Kinematics, Turn, X, Y, Z
 from .registry import KINEMATICS
+from .vismach import Configuration, add_bodies
 
 LENGTHS = {"mm": 1.0, "metric": 1.0, "in": 25.4, "inch": 25.4, "imperial": 25.4}
 ANGLES = {
@@ -47,9 +50,20 @@ LINEAR = tuple(
 )
 
 
-def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
-    """Make the machine of a LinuxCNC configuration. Raises MachineError naming the value that is missing or
+def machine_of_ini(
+    path: Path, model: Path | None = None
+) -> tuple[Machine, tuple[Finding, ...], dict[str, Mesh]]:
+    """Make the machine of a LinuxCNC configuration, with bodies by its vismach ``model``, and the meshes, mm,
+    of those of the shape ``file`` by their names. Raises MachineError naming the value that is missing or
     wrong, FileError."""
+    given, findings = _configuration(path)
+    if model is None:
+        return given.machine, findings, {}
+    machine, more, meshes = add_bodies(given, model)
+    return machine, (*findings, *more), meshes
+
+
+def _configuration(path: Path) -> tuple[Configuration, tuple[Finding, ...]]:
     ini = IniFile(path)
     hal = HalValues(ini)
     line = _kinematics_line(ini, hal)
@@ -68,7 +82,8 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
         *_unread(hal, kind),
     )
     description = f"LinuxCNC's {kind.name}, imported from {path.name}"
-    return Machine(_name(ini), axes, description=description, controller="linuxcnc"), findings
+    machine = Machine(_name(ini), axes, description=description, controller="linuxcnc")
+    return Configuration(machine, hal, order, length, angle), findings
 
 
 def _kinematics_line(ini: IniFile, hal: HalValues) -> Value:
@@ -194,10 +209,14 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
     low = max(_numbers(ini, joint, letter, "MIN_LIMIT", both=rotary))
     high = min(_numbers(ini, joint, letter, "MAX_LIMIT", both=rotary))
     rate = min(_numbers(ini, joint, letter, "MAX_VELOCITY", both=True))
+    acceleration = scale * min(_read_numbers(ini, joint, letter, "MAX_ACCELERATION"), default=math.inf)
     most = UNLIMITED / (angle if rotary else length)
     low, high = (-math.inf if low <= -most else low * scale), (math.inf if high >= most else high * scale)
     try:
-        return Axis(letter, rotary, axis.side, axis.direction, axis.point, low, high, 60.0 * rate * scale)
+        return Axis(
+            letter, rotary, axis.side, axis.direction, axis.point, low, high, 60.0 * rate * scale,
+            max_acceleration=acceleration,
+        )  # fmt: skip
     except MachineError as error:
         raise MachineError(
             say("{path}: [JOINT_{joint}], {error}", path=ini.path, joint=joint, error=error), error.value
@@ -207,13 +226,18 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
 def _numbers(ini: IniFile, joint: int, letter: str, key: str, both: bool) -> list[float]:
     """Return what [JOINT_n] says, or where it says nothing [AXIS_L]; with ``both``, what each of them
     says."""
-    given = [ini.get(section, key) for section in (f"JOINT_{joint}", f"AXIS_{letter}")]
-    found = [number(value, f"{key} of {letter}") for value in given if value is not None and value.text]
+    found = _read_numbers(ini, joint, letter, key)
     if not found:
         ini.need(
             f"JOINT_{joint}", key, say("axis {letter} needs it there or under [AXIS_{letter}]", letter=letter)
         )
     return found if both else found[:1]
+
+
+def _read_numbers(ini: IniFile, joint: int, letter: str, key: str) -> list[float]:
+    """Return what [JOINT_n] and [AXIS_L] say."""
+    given = [ini.get(section, key) for section in (f"JOINT_{joint}", f"AXIS_{letter}")]
+    return [number(value, f"{key} of {letter}") for value in given if value is not None and value.text]
 
 
 def _name(ini: IniFile) -> str:

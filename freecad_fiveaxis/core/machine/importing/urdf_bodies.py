@@ -60,9 +60,9 @@ def _body(
                 kind=shape.kind,
             ),
         )
-    if shape.kind == "mesh" or (shape.kind == "box" and not _is_straight(place)):
+    if shape.kind == "mesh" or (shape.kind == "box" and not is_straight(place)):
         corners = _file_corners(name, shape, path) if shape.kind == "mesh" else _box_corners(shape)
-        return MachineBody(name, carrier, FILE), _mesh(name, MM * _move_points(corners, place), path)
+        return MachineBody(name, carrier, FILE), _mesh(name, MM * move_points(corners, place), path)
     return MachineBody(name, carrier, *_solid(shape, place)), None
 
 
@@ -77,7 +77,7 @@ def _solid(shape: Shape, place: Floats) -> tuple[str, tuple[Vector, ...], tuple[
             _points(np.array([[0.0, 0.0, -0.5 * length], [0.0, 0.0, 0.5 * length]]), place),
             (MM * radius,),
         )
-    corners = _move_points(_box_corners(shape), place).reshape(-1, 3)
+    corners = move_points(_box_corners(shape), place).reshape(-1, 3)
     return BOX, _points(np.stack([corners.min(axis=0), corners.max(axis=0)]), np.eye(4)), ()
 
 
@@ -86,16 +86,16 @@ def _text(sizes: Iterable[float]) -> str:
 
 
 def _points(points: Floats, place: Floats) -> tuple[Vector, ...]:
-    return tuple((x, y, z) for x, y, z in np.round(MM * _move_points(points, place), 9).tolist())
+    return tuple((x, y, z) for x, y, z in np.round(MM * move_points(points, place), 9).tolist())
 
 
-def _move_points(points: Floats, place: Floats) -> Floats:
-    """Points (..., 3) by a place 4x4."""
+def move_points(points: Floats, place: Floats) -> Floats:
+    """Move points (..., 3) by a place 4x4."""
     return np.asarray(points @ place[:3, :3].T + place[:3, 3])
 
 
-def _is_straight(place: Floats) -> bool:
-    """Whether a place turns by quarters alone."""
+def is_straight(place: Floats) -> bool:
+    """Tell whether a place 4x4 turns by quarters alone."""
     turn = np.abs(place[:3, :3])
     return bool(np.all((turn < STRAIGHT) | (turn > 1.0 - STRAIGHT)))
 

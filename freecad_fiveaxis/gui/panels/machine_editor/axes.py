@@ -22,14 +22,14 @@ from freecad_fiveaxis.gui.panels.folding import FoldingGroup
 from freecad_fiveaxis.gui.panels.triple import TripleField
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
-from .boxes import TURNS_A_MINUTE, DirectionField, OpenField, RateField
+from .boxes import TURNS_A_MINUTE, AccelerationField, DirectionField, OpenField, RateField
 from .table import Table, buttons_row, show_items, tool_button
 
 LETTERS = ("X", "Y", "Z", "A", "B", "C")
 CHANGES = {
     "axis_letter": "letter", "axis_side": "side", "axis_direction": "direction", "axis_point": "point",
     "axis_low": "low",
-    "axis_high": "high", "axis_rate": "max_rate",
+    "axis_high": "high", "axis_rate": "max_rate", "axis_acceleration": "max_acceleration",
 }  # fmt: skip
 """What each field is of an axis."""
 
@@ -132,6 +132,7 @@ class AxesEditor(QtCore.QObject):
         for name in ("axis_low", "axis_high"):
             fields[name].show_measure(getattr(axis, CHANGES[name]), kind)
         fields["axis_rate"].show_rate(axis.max_rate, axis.rotary)
+        fields["axis_acceleration"].show_acceleration(axis.max_acceleration, axis.rotary)
 
     def _change(self, name: str) -> None:
         axis, draft = self.axis, self.draft
@@ -233,4 +234,6 @@ def _fields() -> list[Field]:
         OpenField("axis_low", none, -math.inf, limit),
         OpenField("axis_high", none, math.inf, limit),
         RateField("axis_rate", translate("FiveAxis", "The largest rate that the drive reaches")),
+        AccelerationField("axis_acceleration", translate(
+            "FiveAxis", "What the drive reaches; it is kept in the file, nothing reckons with it")),
     ]  # fmt: skip

@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.machine.machine_file import UNLIMITED
 from freecad_fiveaxis.gui.panels.fields import ARROW, FeedField, Field, feed_unit, width_of
 from freecad_fiveaxis.gui.panels.measure_box import MeasureBox
@@ -102,6 +103,18 @@ class RateField(FeedField):
         self.factor = 60.0 / per_second
         self.editor.setSuffix(suffix)
         self.show_value(rate)
+
+
+class AccelerationField(RateField):
+    """The largest acceleration of an axis, mm/s² or degrees/s² (inches where the user works in them); None
+    while it is not given."""
+
+    def show_acceleration(self, acceleration: float | None, rotary: bool) -> None:
+        """Show an acceleration of that kind of axis."""
+        inch = inches() and not rotary
+        self.factor = INCH if inch else 1.0
+        self.editor.setSuffix(" °/s²" if rotary else " in/s²" if inch else " mm/s²")
+        self.show_value(acceleration)
 
 
 class DirectionField(TripleField):
