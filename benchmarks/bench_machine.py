@@ -100,9 +100,9 @@ def sampled_poses(
 ) -> tuple[Floats, Floats]:
     """Tips (n, 3) mm and axes (n, 3) at SAMPLES moments of each block, as the axis that carries a body sees
     them."""
-    from freecad_fiveaxis.core.gouge.machine_check import locked_letters
+    from freecad_fiveaxis.core.gouge.machine_check import find_locked_letters
 
-    locked = lock_words(machine, setup, kinematics, words, locked_letters(machine, body))
+    locked = lock_words(machine, setup, kinematics, words, find_locked_letters(machine, body))
     share = np.linspace(0.0, 1.0, SAMPLES)[:, None]
     dense = (locked[:-1, None] + share * np.diff(locked, axis=0)[:, None]).reshape(-1, 5)
     return forward(kinematics, words_to_q(dense))

@@ -94,6 +94,22 @@ class Package:
                 if self.is_meant(docstring, found[1]) and not self.has(docstring, found[1]):
                     yield f"{docstring.where}: {found[0]}"
 
+    def missing(self, source: str) -> Iterator[str]:
+        """What a file outside takes from the package and that is not there, with its line: the names that it
+        imports, and what it asks of modules that it imports."""
+        tree = ast.parse(source)
+        imported = dict(_imports(tree))
+        taken = [(line, address) for _, (line, address) in _imports(tree)]
+        hidden = _stored(tree) | {found.arg for found in ast.walk(tree) if isinstance(found, ast.arg)}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+                _, address = imported.get(node.value.id, (0, ""))
+                if address in self.modules and node.value.id not in hidden and node.attr[:2] != "__":
+                    taken.append((node.lineno, f"{address}.{node.attr}"))
+        for line, address in taken:
+            if address.partition(".")[0] == self.name and not self._leads_on(address, []):
+                yield f"{line}: {address}"
+
     def is_meant(self, docstring: Docstring, dotted: str) -> bool:
         """Whether what stands before the first dot is a class or module of the package, and the whole no
         file."""
@@ -164,6 +180,17 @@ class Package:
             if found and self._leads_on(found, [name]):
                 return self._member(found, name)
         raise LookupError(f"{scope.address}.{name}")
+
+
+def _imports(tree: ast.AST) -> Iterator[tuple[str, tuple[int, str]]]:
+    """What is imported anywhere in a file: its name there, the line and the address."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and not node.level:
+            for one in node.names:
+                yield one.asname or one.name, (node.lineno, f"{node.module}.{one.name}")
+        elif isinstance(node, ast.Import):
+            for one in node.names:
+                yield one.asname or one.name, (node.lineno, one.name)
 
 
 def _scope(address: str, node: ast.Module | ast.ClassDef, home: str) -> Scope:

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.sentences import Area, Length, join_sentences, s
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import RestMaterial
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.collision_avoidance import allowed
+from freecad_fiveaxis.core.pipeline.collision_avoidance import compute_allowed_rest
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.report import Figures
 
@@ -186,7 +186,7 @@ def _compute_heights(figures: Figures, known: results.Last, progress: Progress) 
         draft.mesh,
         rest,
         figures.tolerance,
-        allowed(draft.settings, draft.mesh, draft.keep),
+        compute_allowed_rest(draft.settings, draft.mesh, draft.keep),
     )
 
 
@@ -210,7 +210,7 @@ def _show(obj: Any, found: Heights) -> None:
     values = {
         "LargestUndercut": max(float(height.max(initial=0.0)), 0.0),
         "LargestOvercut": max(float(-height.min(initial=0.0)), 0.0),
-        "UncutArea": uncut, "OvercutArea": rest.taken(found.tolerance)[0],
+        "UncutArea": uncut, "OvercutArea": rest.sum_overcut(found.tolerance)[0],
         "MachinedArea": float(rest.area.sum()),
         "UncutVolume": volume, "Allowed": found.allowed, "Verdict": wording.localize(verdict(found)),
         "Fingerprint": found.fingerprint,
@@ -226,7 +226,7 @@ def verdict(found: Heights) -> str:
     whole, (uncut, _), (deep, _) = (
         float(rest.area.sum()),
         rest.uncut(found.allowed),
-        rest.taken(found.tolerance),
+        rest.sum_overcut(found.tolerance),
     )
     if not uncut and not deep:
         return say(

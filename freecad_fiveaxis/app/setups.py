@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.base.files import check_writable, write_whole
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Angle, say
 from freecad_fiveaxis.core.machine import Vector
-from freecad_fiveaxis.core.pipeline.options import clamped
+from freecad_fiveaxis.core.pipeline.options import load_setup
 from freecad_fiveaxis.core.pipeline.settings import (
     MILL,
     SETUP,
@@ -278,7 +278,7 @@ def present_zero(path: Any) -> Vector:
     """Where a toolpath's work zero stands in the machine frame, mm. Raises FiveAxisError."""
     if path is None:
         raise SelectionError(say("the toolpath of the map was deleted: make the map of another one"), path)
-    return clamped(convert.settings_of(path, MILL, "part.stl"))[1].origin
+    return load_setup(convert.settings_of(path, MILL, "part.stl"))[1].origin
 
 
 def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:

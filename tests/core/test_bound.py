@@ -22,9 +22,9 @@ from freecad_fiveaxis.core.motion.deviation.quartic import POINT, REMAINDER
 from freecad_fiveaxis.core.motion.deviation.search import (
     FIRST_PIECES,
     Chords,
+    _compute_limit,
     _local,
     _Pieces,
-    _proven,
     farthest,
 )
 from freecad_fiveaxis.core.motion.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
@@ -235,5 +235,5 @@ def test_a_piece_never_exceeds_its_bound(kinematics, pieces):
     assert (most > 0.9 * local.bound).any()  # the comparison can fail
     distance, _, bound = farthest(frame, chords)
     assert (np.sqrt(np.maximum.reduceat(most, np.arange(0, len(block), pieces))) <= bound).all()
-    assert bound == pytest.approx(_proven(distance))
+    assert bound == pytest.approx(_compute_limit(distance))
     assert (bound - distance <= ABSOLUTE + 1.01 * RELATIVE * distance).all()

@@ -16,8 +16,8 @@ from freecad_fiveaxis.core.motion.joint_path.branches import (
     BREAK,
     SMALL_TURN,
     TURN,
-    broken_steps,
     choose,
+    find_broken_steps,
     least_path,
     within_limits,
 )
@@ -125,7 +125,7 @@ def test_nearest_windings_alone_cost_more_under_limits():
     low, high = np.array([-TURN, -1.0]), np.array([TURN, 1.0])
     cutting, crossing = np.ones(10, bool), np.zeros(10, bool)
     words, branch = choose(angles, within_limits(angles, low, high), low, high, cutting, crossing)
-    assert not broken_steps(words, branch, cutting, crossing).any()
+    assert not find_broken_steps(words, branch, cutting, crossing).any()
     assert words[0, 0] == pytest.approx(-TURN)
     greedy = np.where(q1 > TURN, q1 - TURN, q1)[:, None] * [1.0, 0.0]
     assert cost_of(greedy, branch, cutting, crossing) > BREAK
@@ -148,7 +148,7 @@ def test_an_axis_of_very_many_turns_stays_within_its_limits_with_a_break_now_and
     cutting, crossing = np.ones(2000, bool), np.zeros(2000, bool)
     words, branch = choose(angles, np.ones((2, 2001), bool), low, high, cutting, crossing)
     assert (words >= low).all() and (words <= high).all()
-    assert 1 <= broken_steps(words, branch, cutting, crossing).sum() <= 4
+    assert 1 <= find_broken_steps(words, branch, cutting, crossing).sum() <= 4
 
 
 def test_of_equal_ways_the_one_nearest_to_zero_is_taken():
@@ -227,4 +227,4 @@ def test_a_break_that_has_to_be_made_inside_a_branch_run_is_found():
     cutting, crossing = np.ones(59, bool), np.zeros(59, bool)
     words, branch = choose(angles, fits, *free, cutting, crossing)
     assert fits[branch, np.arange(60)].all()
-    assert broken_steps(words, branch, cutting, crossing).sum() == 1
+    assert find_broken_steps(words, branch, cutting, crossing).sum() == 1

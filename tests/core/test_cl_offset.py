@@ -478,7 +478,7 @@ def test_a_job_file_and_the_head_name_the_cutter(shape, parts):
 def test_the_tool_length_of_a_head_reaches_to_the_hub():
     given = {"machine": "fork_head_bc", "tool_length": 100, "control_point": "centre"}
     lengths = [
-        asked.clamped(build_settings("mill", "x.stl", given | {"cutter": cutter}))[1]
+        asked.load_setup(build_settings("mill", "x.stl", given | {"cutter": cutter}))[1]
         for cutter in ("ball:10", "bull:10:2", "flat:10")
     ]
     assert [setup.tool_length for setup in lengths] == [95.0, 98.0, 100.0]

@@ -12,7 +12,7 @@ from gouge_examples import prism, round_groove
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge import find_entries
 from freecad_fiveaxis.core.gouge.deepest import deepest, toward
-from freecad_fiveaxis.core.gouge.inside import buried_blocks
+from freecad_fiveaxis.core.gouge.inside import find_buried_blocks
 from freecad_fiveaxis.core.gouge.lift import lift_path
 from freecad_fiveaxis.core.gouge.swept_motion import (
     MOST_PARTS,
@@ -90,7 +90,7 @@ def test_an_entry_half_as_deep_as_the_core_does_not_cross_the_surface_with_it(ce
     tree = facet_tree(prism([(-30, -11), (30, -11), (30, 0), (-30, 0)]))
     tips = np.array([[-2.0, 0.3, centre - 3.0], [2.0, 0.3, centre - 3.0]])
     swept = straight_motion(tips, np.tile([0.0, 0.0, 1.0], (2, 1)))
-    assert buried_blocks(tree, Body((round_piece(0.0, 3.0, 3.0),)), swept, np.array([1.5])).tolist() == [
+    assert find_buried_blocks(tree, Body((round_piece(0.0, 3.0, 3.0),)), swept, np.array([1.5])).tolist() == [
         buried
     ]
 

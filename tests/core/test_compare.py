@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.studies.compare import (
     compare_json,
     compare_text,
     guide,
-    solved,
+    solve_path,
     station,
 )
 from freecad_fiveaxis.core.studies.compare.stations import Share
@@ -54,7 +54,7 @@ def stations(made, names=MACHINES):
 
 def halved(path, where, progress):
     """A cure for the tests: every feed block in two, tip and rotary words half way."""
-    joints = solved(path, where, progress)
+    joints = solve_path(path, where, progress)
     first = np.flatnonzero(joints.path.motion[1:] != Motion.RAPID)
     at = np.sort(np.concatenate([np.arange(len(joints.q)), first + 0.5]))
     low, high = np.floor(at).astype(int), np.ceil(at).astype(int)
@@ -215,10 +215,12 @@ def test_a_machine_that_cannot_and_a_cure_that_refuses_are_rows_with_their_reaso
         raise SettingsError("this cure wants 2 deg at least")
 
     beneath = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))
-    rows = compare(beneath, list(stations(made, ["mikron_ucp710"])), {"none": solved, "refusing": refusing})
+    rows = compare(
+        beneath, list(stations(made, ["mikron_ucp710"])), {"none": solve_path, "refusing": refusing}
+    )
     assert all(row.problem and math.isnan(row.deviation) for row in rows) and len(rows) == 4
     with pytest.raises(ReachError):
-        solved(beneath, next(stations(made, ["mikron_ucp710"])))
+        solve_path(beneath, next(stations(made, ["mikron_ucp710"])))
     assert (
         "None of the machines" in verdict(rows)
         and "impossible" in compare_text(rows)

@@ -13,8 +13,8 @@ from benchmarks.parts import bumpy
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.gouge import real_motion, straight_motion
-from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
-from freecad_fiveaxis.core.gouge.deepest import deepest, shortened, support_at, toward
+from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pare_piece, plate_bound
+from freecad_fiveaxis.core.gouge.deepest import compute_needed_height, deepest, support_at, toward
 from freecad_fiveaxis.core.gouge.edges import nearest_on_edges
 from freecad_fiveaxis.core.gouge.swept_motion import Poses, clusters_of, segments_of, still_positions
 from freecad_fiveaxis.core.machine import load_machine
@@ -115,7 +115,7 @@ def pairs(rng, table, tree):
 
 
 def lowest_bounds(piece, ways, tree, node):
-    core, off = pared(piece, LIMIT)
+    core, off = pare_piece(piece, LIMIT)
     return {
         bound.__name__: bound(core, ways, tree, node) + off for bound in (box_bound, plate_bound, facet_bound)
     }
@@ -299,7 +299,7 @@ def test_the_way_out_leads_just_off_the_underside_by_samples_along_the_axis(name
 @pytest.mark.parametrize("by", [0.01, 1.5])
 def test_a_pared_piece_holds_what_is_deeper_by_so_much_less(name, by):
     rng, piece = np.random.default_rng(8), PIECES[name]
-    core, off = pared(piece, by)
+    core, off = pare_piece(piece, by)
     radius, height = rng.uniform(0.0, 8.0, 20000), rng.uniform(-2.0, 24.0, 20000)
     before, after = (-distance_off(one, radius, height) for one in (piece, core))
     deep = before > off
@@ -368,7 +368,7 @@ def test_a_facet_is_as_deep_in_the_shortened_piece_at_every_pose(name):
     reach = rng.uniform(-4.0, 18.0, 79) * start.axis
     corner = start.tip + reach + rng.normal(0.0, 2.0, (3, 3, 79))
     bend_tip, bend_axis = 0.125 * swept.bend_tip, 0.125 * swept.bend_axis
-    high = shortened(piece, start, end, corner, bend_tip, bend_axis)
+    high = compute_needed_height(piece, start, end, corner, bend_tip, bend_axis)
     assert (high < piece.high).sum() > 10 or piece.low == piece.high
     differs = False
     share = rng.dirichlet(np.ones(3), 200)

@@ -150,7 +150,7 @@ def test_rows_half_way_stand_on_the_commanded_way_and_lead_where_the_next_does()
     path = cl_path([(0, 0, 0), (0, 2, 0), (0, 6, 2)])
     axes = np.array([(0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, np.sin(0.4), np.cos(0.4))])
     path = replace(path, axis=axes, face=np.array([4, 5, 6]))
-    made = solve_joints._halved(path, np.array([2]))
+    made = solve_joints._halve_blocks(path, np.array([2]))
     assert made.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and made.face.tolist() == [
         4,
         5,
@@ -383,7 +383,7 @@ def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_
 @pytest.mark.slow
 def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
     """The comparison above can fail: the straight swing dips the bottom's rim into the edge."""
-    monkeypatch.setattr(seating, "_swung", lambda path, axis, *_: (path, axis))
+    monkeypatch.setattr(seating, "_swing_hubs", lambda path, axis, *_: (path, axis))
     lifted = over_sharp_edges(parts, "dome", "lift", cutter="bull:10:2")
     assert "lifted" in {finding.code for finding in lifted.findings}
 

@@ -140,7 +140,7 @@ def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
 def test_a_locked_axis_that_is_not_locked_would_be_noticed(monkeypatch):
     from freecad_fiveaxis.core.gouge import machine_check
 
-    monkeypatch.setattr(machine_check, "locked_letters", lambda machine, body: "")
+    monkeypatch.setattr(machine_check, "find_locked_letters", lambda machine, body: "")
     with pytest.raises(AssertionError):
         test_dense_samples_find_nothing_deeper_than_what_is_told("trunnion_ac")
 

@@ -83,7 +83,7 @@ def test_one_branch_is_enough_and_a_limit_takes_it_away():
     axis = leaning([-50.0, 50.0])
     angles, _ = inverse_axis(chain(plain, setup), axis)
     one = standing(machine, setup=setup)
-    by_branch = np.array([one.blocked(np.zeros((2, 3)), axis, branch) for branch in angles])
+    by_branch = np.array([one.is_blocked(np.zeros((2, 3)), axis, branch) for branch in angles])
     assert (by_branch.sum(axis=0) == 1).all(), "one branch leans into the wall, the other one away from it"
     assert not one.hits(TOOL, FAR, np.zeros((2, 3)), axis, 0.01).any()
     into = angles[:, 0, 1][by_branch[:, 0]][0]
@@ -134,7 +134,7 @@ def test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it(name
         words = np.concatenate([rng.uniform(-60, 60, (80, 3)), rng.uniform(-80, 80, (80, 2))], axis=1)
         q = words_to_q(words)
         tip, axis = forward(chain(machine, Setup(ORIGIN, LENGTH)), q)
-        told = standing(machine).blocked(tip, axis, q[:, 3:])
+        told = standing(machine).is_blocked(tip, axis, q[:, 3:])
         smaller = Body(tuple(one._replace(low_radius=max(one.low_radius - 0.1, 0.0), high_radius=max(one.high_radius - 0.1, 0.0),
                                           round=max(one.round - 0.1, 0.0)) for one in STACK.pieces))  # fmt: skip
         assert told[brute(machine, words, body, smaller) < 0.0].all(), carrier
@@ -144,7 +144,7 @@ def test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it(name
 
 
 def test_an_axis_that_is_not_locked_would_be_noticed(monkeypatch):
-    monkeypatch.setattr(module, "locked_letters", lambda machine, body: "")
+    monkeypatch.setattr(module, "find_locked_letters", lambda machine, body: "")
     with pytest.raises(AssertionError):
         test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it("trunnion_ac")
 
@@ -167,7 +167,7 @@ def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
     angles, _ = inverse_axis(kinematics, axis)
     given = InMachine(machine, setup, kinematics, TOOL, None if length is None else 45.0)
     part = from_triangles(box((-200, -20, -40), (-195, 20, 100)))
-    told = machine_in_pose(given, part, 0.01).blocked(tip, axis, angles[0])
+    told = machine_in_pose(given, part, 0.01).is_blocked(tip, axis, angles[0])
     words = q_to_words(joint_words(kinematics, tip, angles[0]))
     for k, word in enumerate(words):
         found = check_machine(given, program_of(machine, np.array([word, word])), part, 0.01)
@@ -189,7 +189,7 @@ def test_at_the_pole_the_tool_is_free_whatever_its_neighbours_turn_the_table_to(
         low, high = (-400.0, -x - 60.0, -400.0), (400.0, -x, 600.0)
         one = replace(machine, bodies=(MachineBody("wall", "base", "box", (low, high)),))
         assert standing(one, setup=setup).hits(TOOL, FAR, tip, up, 0.01)[0] == met
-        assert not standing(one, setup=setup).blocked(tip, up, np.array([[0.0, 0.0]]))[0]
+        assert not standing(one, setup=setup).is_blocked(tip, up, np.array([[0.0, 0.0]]))[0]
 
 
 PART = from_triangles(box((-30, -20, -90), (30, 20, -50)))

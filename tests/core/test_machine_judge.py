@@ -95,7 +95,7 @@ def test_fcl_finds_nothing_in_200_samples_a_block_that_is_not_told(name):
 def test_a_body_on_another_axis_would_be_noticed(monkeypatch):
     from freecad_fiveaxis.core.gouge import machine_check
 
-    monkeypatch.setattr(machine_check, "locked_letters", lambda machine, body: "")
+    monkeypatch.setattr(machine_check, "find_locked_letters", lambda machine, body: "")
     assert judge("trunnion_ac")[0]
 
 

@@ -143,7 +143,7 @@ def test_no_pose_of_a_box_reaches_farther_than_its_hull(machine, back):
         g /= np.linalg.norm(g, axis=0)
         at = there.poses(words)
         reached = piece_support(piece, at, g) - (g * hulls.pose.tip).sum(axis=0)
-        assert (reached <= hulls.reached(piece, g) + 1e-9).all()
+        assert (reached <= hulls.compute_support(piece, g) + 1e-9).all()
 
 
 def piece_support(piece, at, g):
@@ -162,7 +162,7 @@ def test_boxes_of_linear_joints_are_exact():
     signs = np.array([[a, b, c, 0.0, 0.0] for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)])
     at = there.poses(box_.middle + signs * box_.half)
     each = piece_support(piece, at, np.tile(g, 8))
-    assert hulls.reached(piece, g)[0] + (g[:, 0] * hulls.pose.tip[:, 0]).sum() == pytest.approx(
+    assert hulls.compute_support(piece, g)[0] + (g[:, 0] * hulls.pose.tip[:, 0]).sum() == pytest.approx(
         each.max(), abs=1e-9
     )
 

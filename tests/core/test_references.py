@@ -3,6 +3,7 @@
 their paths."""
 
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -17,8 +18,13 @@ FILE = re.compile(r"`((?:[\w.-]+/)*[a-z_]+\.py)`")
 HISTORY = {"CHANGELOG.md"}
 
 
+@cache
+def package_here():
+    return Package(ROOT / "freecad_fiveaxis")
+
+
 def test_what_docstrings_refer_to_is_there():
-    package = Package(ROOT / "freecad_fiveaxis")
+    package = package_here()
     assert len(package.docstrings) > 5000
     assert list(package.dead()) == []
 
@@ -101,3 +107,38 @@ def test_the_files_that_pages_name_are_there():
 
 def test_a_missing_file_would_be_noticed():
     assert missing_files("see `a/b.py`, `b.py` and `c.py`", ["core/a/b.py"]) == ["c.py"]
+
+
+USERS = ("benchmarks", "scripts", "examples", "resources", "docs")
+"""Folders with code that uses the package and that no type checker reads."""
+
+
+def python_files(folder):
+    """The Python files in a folder, those too that only their first line tells of."""
+    for path in sorted(folder.rglob("*")):
+        if path.is_file() and path.suffix in (".py", ""):
+            text = path.read_bytes()
+            if path.suffix or b"python" in text.partition(b"\n")[0]:
+                yield path, text.decode("utf-8")
+
+
+def test_what_is_taken_from_the_package_outside_of_it_is_there():
+    package = package_here()
+    files = dict(one for folder in USERS for one in python_files(ROOT / folder))
+    assert len(files) > 40 and ROOT / "scripts" / "pages" in files
+    assert [
+        f"{path.relative_to(ROOT)}:{line}" for path, text in files.items() for line in package.missing(text)
+    ] == []
+
+
+@pytest.mark.parametrize(
+    ("source", "missing"),
+    [("from toy.wheel import Wheel, wheel_off", ["1: toy.wheel.wheel_off"]), ("import toy.wheels", ["1: toy.wheels"]),
+     ("def late():\n    from toy.base import Part, Port as Part2", ["2: toy.base.Port"]), ("from toy.wheels import LEAST", ["1: toy.wheels.LEAST"]),
+     ("from toy import base, wheel as w\nw.wheel_of(w.LEAST, w.MOST)\nbase.Part.any", ["2: toy.wheel.MOST"]),
+     ("import os.path\nfrom toy.base.parts import Part\nimport toy.wheel\nfrom toy import wheel\nwheel.LEAST", []),
+     ("from toy import wheel\nfor wheel in wheel.LEAST: wheel.turn()", [])],
+)  # fmt: skip
+def test_a_missing_name_would_be_noticed(tmp_path, source, missing):
+    dead_in_toy(tmp_path, ":class:`Wheel`")
+    assert list(Package(tmp_path / "toy").missing(source)) == missing

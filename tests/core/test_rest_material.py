@@ -124,7 +124,7 @@ def test_what_is_cut_too_deep_is_told_with_its_depth():
         and finding.value == pytest.approx(0.3, abs=0.05)
         and finding.limit == 0.01
     )
-    area, volume = left.taken(0.0)  # of the groove: a segment of a circle of radius 3
+    area, volume = left.sum_overcut(0.0)  # of the groove: a segment of a circle of radius 3
     half = np.arccos(2.7 / 3.0)
     assert volume == pytest.approx(40.0 * 9.0 * (half - np.sin(half) * np.cos(half)), rel=0.1)
     assert area == pytest.approx(40.0 * 2.0 * 3.0 * np.sin(half), rel=0.15)

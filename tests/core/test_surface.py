@@ -142,7 +142,7 @@ def test_flat_faces_between_sharp_edges_keep_no_more_than_two_scallops(name):
 
 def test_led_by_its_tip_the_ball_bulges_off_the_same_faces(monkeypatch):
     """The judge sees what was wrong before blocks were divided by the centre."""
-    monkeypatch.setattr(driving, "driven_to_surface", lambda settings: 0.0)
+    monkeypatch.setattr(driving, "compute_driven_to_surface", lambda settings: 0.0)
     made = milled_anew("box")
     left = rest(made, centres(made))
     assert left.max() > 0.2

@@ -7,7 +7,7 @@ from gouge_examples import prism
 
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge import real_motion, straight_motion
-from freecad_fiveaxis.core.gouge.inside import buried_blocks
+from freecad_fiveaxis.core.gouge.inside import find_buried_blocks
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.tool.body import Body, round_piece
@@ -75,4 +75,4 @@ def test_a_block_is_buried_where_the_middle_of_its_ball_is_in_the_part(centre, b
     tips = np.array([[-2.0, 0.3, centre - 3.0], [2.0, 0.3, centre - 3.0]])
     swept = straight_motion(tips, np.tile([0.0, 0.0, 1.0], (2, 1)))
     entry = np.array([max(3.0 - min(abs(centre), abs(centre + 11.0)), 0.0)])
-    assert buried_blocks(tree, ball, swept, np.where(entry < 2.7, entry, 0.0)).tolist() == [buried]
+    assert find_buried_blocks(tree, ball, swept, np.where(entry < 2.7, entry, 0.0)).tolist() == [buried]

@@ -174,7 +174,7 @@ def test_machine_files_of_a_job_file_are_beside_it(path, tmp_path, monkeypatch):
             json.dumps({"task": "compare", "source": "cap.apt", "machines": machines, "report": "r.json"})
         )
         assert run("run", "../job.json", "--quiet") == cli.DONE
-        assert len(json.loads((tmp_path / "r.json").read_text())["rows"]) == 4 * len(trials.known_cures())
+        assert len(json.loads((tmp_path / "r.json").read_text())["rows"]) == 4 * len(trials.check_cures())
 
 
 def test_a_cancelled_trial_writes_nothing(part, tmp_path, monkeypatch):

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.passes import facets_within_limits
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.options import tip_to_driven, tool_body
 from freecad_fiveaxis.core.tool import Cutter
-from freecad_fiveaxis.core.tool.body import body_of, body_support, seen_from, swing_support
+from freecad_fiveaxis.core.tool.body import body_of, body_support, lower_body, swing_support
 from freecad_fiveaxis.core.toolpath.cl_path import Motion, keepout, path
 
 TOOL = {"cutter": "ball:6:20", "shank": "6x15", "holder": "40x30", "stepover": 4.0, "order": "one_way"}
@@ -205,7 +205,7 @@ def test_facets_that_look_down_further_than_asked_are_left_out():
 
 
 def test_supports_are_those_of_points_of_the_skin():
-    body = seen_from(body_of(Cutter(6.0, 20.0), [(6.0, 15.0)], [(40.0, 30.0)]), 3.0)
+    body = lower_body(body_of(Cutter(6.0, 20.0), [(6.0, 15.0)], [(40.0, 30.0)]), 3.0)
     points = skin(body, 0.5)
     lean = np.linspace(0.0, np.pi, 61)
     reach = (np.outer(np.cos(lean), points[:, 2]) + np.outer(np.sin(lean), points[:, 0])).max(axis=1)

@@ -68,7 +68,7 @@ def merge_reports(folders: Sequence[str], out: str) -> list[Row]:
                 folder,
             )
         for row in (row for part in found for row in part):
-            where = _seen_from(os.path.join(folder, str(row.get("folder") or ".")), out)
+            where = _make_relative(os.path.join(folder, str(row.get("folder") or ".")), out)
             rows[where, str(row.get("name"))] = {**row, "folder": where}
     return list(rows.values())
 
@@ -136,7 +136,7 @@ def _cell(value: Any, digits: int = 6) -> str:
     return "" if value is None else f"{value:.{digits}g}" if isinstance(value, float) else str(value)
 
 
-def _seen_from(folder: str, out: str) -> str:
+def _make_relative(folder: str, out: str) -> str:
     try:
         return Path(os.path.relpath(folder, out)).as_posix()
     except ValueError:  # another drive of Windows

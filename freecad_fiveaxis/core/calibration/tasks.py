@@ -24,7 +24,13 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
-from freecad_fiveaxis.core.pipeline.options import cl_reading, clamped, dialect_for, search_folders, title_of
+from freecad_fiveaxis.core.pipeline.options import (
+    cl_reading,
+    dialect_for,
+    load_setup,
+    search_folders,
+    title_of,
+)
 from freecad_fiveaxis.core.pipeline.settings import RECOVER, Settings, flat_options
 from freecad_fiveaxis.core.toolpath.apt import read_apt
 
@@ -188,7 +194,7 @@ def prove(settings: Settings, progress: Progress = silent) -> Proof:
     leave no room."""
     if not settings.output.output:
         raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
-    machine, setup, dialect = clamped(settings)
+    machine, setup, dialect = load_setup(settings)
     wish = settings.prove
     plan = make_plan(machine, setup, Wishes(wish.mark, wish.gap, wish.travel, wish.angle, wish.slow_feed))
     progress("prove signs", 0.5)

@@ -142,7 +142,7 @@ def _search(pair: Pair, start: Floats, end: Floats, joined: bool, slack: float) 
     count = len(start)
     none, spent = np.zeros(count, np.bool_), np.zeros(count, np.int64)
     found = Meetings(none, np.zeros(count), start.copy(), np.zeros((count, 3)), none.copy())
-    todo = _sliced(_cells(start, end))
+    todo = _slice_cells(_cells(start, end))
     while todo:
         cells = todo.pop()
         spent += np.bincount(cells.owner, minlength=count)
@@ -157,11 +157,11 @@ def _search(pair: Pair, start: Floats, end: Floats, joined: bool, slack: float) 
             place[met],
         )
         rows = np.flatnonzero(~free & (far > slack) & ~found.met[cells.owner])
-        todo += _sliced(_halved(pair.motion, cells.take(rows)._replace(guess=way[rows]), joined))
+        todo += _slice_cells(_halve_cells(pair.motion, cells.take(rows)._replace(guess=way[rows]), joined))
     return found
 
 
-def _halved(motion: CarriedMotion, cells: Cells, joined: bool) -> Cells:
+def _halve_cells(motion: CarriedMotion, cells: Cells, joined: bool) -> Cells:
     """Halve cells: in time, or across the joint that moves most."""
     owner, middle, half, u, wide, guess = cells
     half_ = half.copy()
@@ -179,6 +179,6 @@ def _halved(motion: CarriedMotion, cells: Cells, joined: bool) -> Cells:
     )  # fmt: skip
 
 
-def _sliced(cells: Cells) -> list[Cells]:
+def _slice_cells(cells: Cells) -> list[Cells]:
     count = len(cells.owner)
     return [cells.take(np.arange(first, min(first + SLICE, count))) for first in range(0, count, SLICE)]

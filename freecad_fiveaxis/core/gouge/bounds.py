@@ -31,7 +31,7 @@ NEAR = 1e-12
 """mm; what is nearer to a core than this is taken to be in it."""
 
 
-def pared(piece: Piece, by: float) -> tuple[Piece, float]:
+def pare_piece(piece: Piece, by: float) -> tuple[Piece, float]:
     """Return what is left of a piece when up to ``by`` mm are taken off all around, and how much was; of a
     cone's flanks only its round is taken. ``piece.most`` must be larger than ``by``."""
     off = min(by, piece.round)
@@ -47,7 +47,7 @@ def pared(piece: Piece, by: float) -> tuple[Piece, float]:
 def box_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
     """Return the bound (n,) mm in the direction from the piece to the nearest place of the nodes' boxes."""
     g, begins = toward_box(piece, sweep.tip, sweep.unit, tree.boxes(node))
-    return np.asarray(_reached(piece, sweep, g) - begins)
+    return np.asarray(_compute_support(piece, sweep, g) - begins)
 
 
 def toward_box(piece: Piece, tip: Floats, axis: Floats, box: Boxes) -> tuple[Floats, Floats]:
@@ -73,8 +73,8 @@ def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints)
     plate = tree.plates(node)
     place, lean = _inner(plate.normal, sweep.tip), _inner(plate.normal, sweep.unit)
     go, turn = _dot(plate.normal, sweep.travel), _dot(plate.normal, sweep.turn)
-    up = _swept(piece, sweep, go, lean, turn) + place - plate.bottom
-    down = _swept(piece, sweep, _opposite(go), -lean, _opposite(turn)) - place + plate.top
+    up = _compute_swept_support(piece, sweep, go, lean, turn) + place - plate.bottom
+    down = _compute_swept_support(piece, sweep, _opposite(go), -lean, _opposite(turn)) - place + plate.top
     return np.asarray(np.minimum(up, down))
 
 
@@ -89,7 +89,7 @@ def facet_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints)
 def _triangle_bound(piece: Piece, sweep: StraightSweep, arm: Floats) -> Floats:
     """Return the bound (n,) mm for triangles, corners (3, 3, n) from the tip in the middle of the way."""
     g, begins = toward_triangle(piece, sweep.unit, arm)
-    return np.asarray(_reached(piece, sweep, g) - begins)
+    return np.asarray(_compute_support(piece, sweep, g) - begins)
 
 
 def toward_triangle(piece: Piece, axis: Floats, arm: Floats) -> tuple[Floats, Floats]:
@@ -138,16 +138,19 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
     return np.asarray(g)
 
 
-def _reached(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
+def _compute_support(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
     """Return the support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's
     middle tip."""
-    return _swept(piece, sweep, _dot(g, sweep.travel), _inner(g, sweep.unit), _dot(g, sweep.turn))
+    return _compute_swept_support(
+        piece, sweep, _dot(g, sweep.travel), _inner(g, sweep.unit), _dot(g, sweep.turn)
+    )
 
 
-def _swept(
+def _compute_swept_support(
     piece: Piece, sweep: StraightSweep, go: Floats | None, lean: Floats, turn: Floats | None
 ) -> Floats:
-    """:func:`_reached` from what travel, unit axis and turn are along g; it is largest at one of the ends."""
+    """:func:`_compute_support` from what travel, unit axis and turn are along g; it is largest at one of the
+    ends."""
     if go is None or sweep.bend_tip is None or sweep.bend_axis is None:  # both ends are the same
         return support(piece, lean if sweep.cosine is None else sweep.cosine * lean)
     if turn is None or sweep.cosine is None:

@@ -34,7 +34,7 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, SPINDLE, Body
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-from .inside import buried_blocks, crossing_depth, is_closed
+from .inside import crossing_depth, find_buried_blocks, is_closed
 from .joint_box import JointSpace
 from .rapid_check import check_rapids, rapid_findings
 from .rapid_ways import WayEntries
@@ -127,7 +127,7 @@ def check_motion(
     )
     buried = np.zeros(len(swept), np.bool_)
     if is_closed(mesh):
-        buried = buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)
+        buried = find_buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)
     whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
     findings = _findings(
         cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), swept, whole, remedy
@@ -185,7 +185,7 @@ def _findings(
         found += _spots(
             code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf
         )
-    return (*found, *_buried(buried, where, swept))
+    return (*found, *_report_buried(buried, where, swept))
 
 
 def _spots(
@@ -214,7 +214,7 @@ def _spots(
     return found
 
 
-def _buried(buried: Bools, where: Where, swept: SweptMotion) -> tuple[Finding, ...]:
+def _report_buried(buried: Bools, where: Where, swept: SweptMotion) -> tuple[Finding, ...]:
     rows = np.flatnonzero(buried)
     if not len(rows):
         return ()

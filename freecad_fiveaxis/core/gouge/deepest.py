@@ -66,7 +66,7 @@ def support_at(
     piece: Piece, pose: Poses, g: Floats, loose: Floats | float = 0.0, high: Floats | None = None
 ) -> Floats:
     """Return the support (n,) mm of the piece at poses in the unit directions g (3, n), where the axis may be
-    off by ``loose`` (n,); ``high`` (n,) mm: of as much of it as :func:`shortened` says."""
+    off by ``loose`` (n,); ``high`` (n,) mm: of as much of it as :func:`compute_needed_height` says."""
     along = (g * pose.axis).sum(axis=0)
     if high is None:
         return np.asarray((g * pose.tip).sum(axis=0) + support(piece, along, loose))
@@ -75,7 +75,7 @@ def support_at(
     return np.asarray((g * pose.tip).sum(axis=0) + support(disc, along, loose) + more)
 
 
-def shortened(
+def compute_needed_height(
     piece: Piece, start: Poses, end: Poses, corner: Floats, bend_tip: Floats, bend_axis: Floats
 ) -> Floats | None:
     """Find how high (n,) mm pieces need to be for triangles, corners (3, 3, n) mm, on the ways from ``start``

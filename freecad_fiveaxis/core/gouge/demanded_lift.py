@@ -14,7 +14,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.tool.body import Body, Piece, distance_off, way_out
 
-from .bounds import pared
+from .bounds import pare_piece
 from .deepest import deepest
 from .swept_motion import Poses
 from .touched import points_touched
@@ -36,18 +36,18 @@ def raise_to_demand(
     they are highest on the piece's rim or first touched from above. Nothing is demanded where none of these
     is in the piece anywhere on the way by more than ``limit`` mm."""
     points = [*corner, deepest(piece, pose, corner).point, *_on_rim(piece, pose, corner, WITHIN * limit)]
-    by, enters = _demanded(piece, body, pose, way, points, limit)
+    by, enters = _find_demanded_lift(piece, body, pose, way, points, limit)
     np.maximum.at(lift, block, np.where(enters, by, 0.0))
     if piece.round > 0.0:
         top = ((corner - pose.tip) * pose.axis).sum(axis=1).max(axis=0) - piece.low + piece.round
         rows = np.flatnonzero(top > lift.take(block))  # no other can demand more
         pose, way, corner = Poses(pose.tip[:, rows], pose.axis[:, rows]), way[rows], corner[..., rows]
-        lean = Body(tuple(pared(one, SPARED * limit)[0] for one in body.pieces if one.most > limit))
-        by, more = _demanded(piece, lean, pose, way, points_touched(piece, pose, corner), limit)
+        lean = Body(tuple(pare_piece(one, SPARED * limit)[0] for one in body.pieces if one.most > limit))
+        by, more = _find_demanded_lift(piece, lean, pose, way, points_touched(piece, pose, corner), limit)
         np.maximum.at(lift, block[rows], np.where(enters[rows] | more, by, 0.0))
 
 
-def _demanded(
+def _find_demanded_lift(
     piece: Piece, body: Body, pose: Poses, way: Floats, points: list[Floats], limit: float
 ) -> tuple[Floats, Bools]:
     """Return the lift (n,) mm that these points (3, n) of facets demand, and whether one of them is in the

@@ -57,7 +57,7 @@ def nearest_on_edges(piece: Piece, axis: Floats, corner: Floats) -> Floats:
     t = (
         _nearest_to_spine(edges)
         if wide == 0.0
-        else _nearest_to_disc(edges, wide, _clipped(_nearest_to_axis(edges)), FIRST)
+        else _nearest_to_disc(edges, wide, _clip_share(_nearest_to_axis(edges)), FIRST)
     )
     best = _off(edges, wide, t).argmin(axis=0)
     t, edge = t[best, at], _Edges(*(column[best, at] for column in edges))
@@ -75,7 +75,7 @@ def _across(vector: Floats, height: Floats) -> Floats:
     return np.asarray(np.maximum(np.einsum("kin,kin->kn", vector, vector) - height * height, 0.0))
 
 
-def _clipped(t: Floats) -> Floats:
+def _clip_share(t: Floats) -> Floats:
     return np.asarray(np.minimum(np.maximum(t, 0.0), 1.0))
 
 
@@ -89,7 +89,7 @@ def _nearest_to_spine(edges: _Edges) -> Floats:
     beside = _nearest_to_axis(edges)
     whole = edges.mixed + edges.rise_0 * edges.rise
     under = -whole / (edges.square + edges.rise * edges.rise + TINY)
-    return _clipped(np.where(edges.rise_0 + beside * edges.rise < 0.0, under, beside))
+    return _clip_share(np.where(edges.rise_0 + beside * edges.rise < 0.0, under, beside))
 
 
 def _off(edges: _Edges, wide: float, t: Floats) -> Floats:
@@ -109,5 +109,5 @@ def _nearest_to_disc(edges: _Edges, wide: float, t: Floats, steps: int) -> Float
         bend = (radius > RIM * wide) * (turn + beside * (edges.square - turn) / radius) + (
             below < 0.0
         ) * edges.rise * edges.rise
-        t = _clipped(t - slope / (bend + TINY))
+        t = _clip_share(t - slope / (bend + TINY))
     return t

@@ -73,7 +73,7 @@ def _above(tree: FacetTree, x: Floats, y: Floats, z: Floats, row: Ints, leaf: In
     )
 
 
-def buried_blocks(tree: FacetTree, body: Body, swept: SweptMotion, depth: Floats) -> Bools:
+def find_buried_blocks(tree: FacetTree, body: Body, swept: SweptMotion, depth: Floats) -> Bools:
     """Which blocks (m,) of a swept motion through a closed part are buried; ``depth`` (m,) mm: their entries'
     depth."""
     m = len(swept)

@@ -43,7 +43,7 @@ class JointBoxes(NamedTuple):
         """Pick some of them, by index (k,)."""
         return JointBoxes(self.block.take(rows), self.middle.take(rows, axis=0), self.half.take(rows, axis=0))
 
-    def halved(self, joint: Ints) -> JointBoxes:
+    def halve(self, joint: Ints) -> JointBoxes:
         """Halve each across one of its joints (n,): first all lower halves, then all upper ones."""
         half = self.half.copy()
         rows = np.arange(len(half))
@@ -77,7 +77,7 @@ class Hulls(NamedTuple):
         )
         return Hulls(pose, tip, axis, travel, bend_tip, bend_axis, self.size.take(rows, axis=0))
 
-    def reached(self, piece: Piece, g: Floats) -> Floats:
+    def compute_support(self, piece: Piece, g: Floats) -> Floats:
         """Give the support (n,) mm of the piece over the boxes in the unit directions g (3, n), from the
         middle tip."""
         travelled = np.abs((self.travel * g).sum(axis=2)).sum(axis=1)

@@ -41,7 +41,7 @@ def leave_out(
     cutter does. Raises SettingsError where nothing is left.
     """
     without = _Without(tree, body, tolerance, back, progress, above)
-    return without.trapped(*without.entering(path, axis))
+    return without.drop_trapped(*without.entering(path, axis))
 
 
 def keep_away(
@@ -52,7 +52,7 @@ def keep_away(
     """Return the rows between which a body, ``grown`` by an ``allowance`` mm, keeps out of faces to avoid,
     and out of which it can rise so, and their axes (n, 3); the rest as for :func:`leave_out`."""
     without = _Without(tree, grown, tolerance, back, progress, above, allowance)
-    return without.trapped(*without.entering(path, axis))
+    return without.drop_trapped(*without.entering(path, axis))
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,10 +70,10 @@ class _Without:
 
     def entering(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
         """Return the path without the rows between which the body enters, and its axes."""
-        entries = self._entries(path, axis, _joined(path))
+        entries = self._entries(path, axis, _find_joined_blocks(path))
         if not entries.depth.any():
             return path, axis
-        path, axis, deep = _divided(path, axis, entries.depth > 0.0, self._fine())
+        path, axis, deep = _divide_blocks(path, axis, entries.depth > 0.0, self._fine())
         entries = self._entries(path, axis, deep)
         blocks = np.flatnonzero(entries.depth > 0.0)
         out = np.zeros(len(path.point), np.bool_)
@@ -97,19 +97,19 @@ class _Without:
             )
 
         remedy = say("Use a smaller cutter or another tool axis there.")
-        return _left(path, axis, out, why, depth, (x, y, z), remedy, self.allowance is None)
+        return _drop_rows(path, axis, out, why, depth, (x, y, z), remedy, self.allowance is None)
 
-    def trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
+    def drop_trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
         """Return the path without the rows under an overhang up to the ends of polylines: a retract there
         would go through the part."""
-        ends = self._trapped_ends(path, axis)
+        ends = self._find_trapped_ends(path, axis)
         if not len(ends):
             return path, axis
         x, y, z = path.point[ends[0]].tolist()
         joined = np.diff(path.polyline) == 0
         runs = groups_of(np.ones(len(axis), np.bool_), joined, ends)
-        path, axis, _ = _divided(path, axis, joined & runs[1:], self._fine())
-        ends, joined = self._trapped_ends(path, axis), np.diff(path.polyline) == 0
+        path, axis, _ = _divide_blocks(path, axis, joined & runs[1:], self._fine())
+        ends, joined = self._find_trapped_ends(path, axis), np.diff(path.polyline) == 0
         out = under_with(
             self.body, self.tree, self._tips(path, axis), axis, joined, ends, self.tolerance, self.progress
         )
@@ -128,7 +128,7 @@ class _Without:
             )
 
         remedy = say("Turn the part, or use another tool axis there.")
-        return _left(path, axis, out, why, None, (x, y, z), remedy, self.allowance is None)
+        return _drop_rows(path, axis, out, why, None, (x, y, z), remedy, self.allowance is None)
 
     def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
         swept = straight_motion(self._tips(path, axis), axis, self.above)
@@ -136,7 +136,7 @@ class _Without:
             self.body, self.tree, swept, self.tolerance, blocks=blocks, progress=self.progress
         )
 
-    def _trapped_ends(self, path: OffsetPath, axis: Floats) -> Ints:
+    def _find_trapped_ends(self, path: OffsetPath, axis: Floats) -> Ints:
         first = np.diff(path.polyline, prepend=-1) != 0
         ends = np.flatnonzero(first | np.append(first[1:], True))
         tip = self._tips(path, axis)[ends]
@@ -149,12 +149,12 @@ class _Without:
         return FINE * max(piece.most for piece in self.body.pieces)
 
 
-def _joined(path: OffsetPath) -> Ints:
+def _find_joined_blocks(path: OffsetPath) -> Ints:
     """Return the blocks (k,) between rows of one polyline."""
     return np.flatnonzero(np.diff(path.polyline) == 0)
 
 
-def _left(
+def _drop_rows(
     path: OffsetPath,
     axis: Floats,
     out: Bools,
@@ -166,7 +166,7 @@ def _left(
 ) -> tuple[OffsetPath, Floats]:
     """Return the path without the rows ``out`` (n,), and its axes; ``why``: the reason, given on which of its
     passes; ``remedy``: what helps; ``part``: whether it is for the part, not for faces to avoid."""
-    steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _joined(path)
+    steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _find_joined_blocks(path)
     length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
     rows = lasting_rows(path, np.flatnonzero(~out))
     if not len(rows) and not part:
@@ -194,7 +194,9 @@ def _left(
     return replace(left, findings=(*path.findings, finding)), take_rows(axis, rows)
 
 
-def _divided(path: OffsetPath, axis: Floats, deep: Bools, part: float) -> tuple[OffsetPath, Floats, Ints]:
+def _divide_blocks(
+    path: OffsetPath, axis: Floats, deep: Bools, part: float
+) -> tuple[OffsetPath, Floats, Ints]:
     """Return the path with the blocks ``deep`` (n - 1,) in parts of at most ``part`` mm, its axes, and those
     parts."""
     length = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)

@@ -113,7 +113,7 @@ def lift_path(
         np.zeros(len(tips), np.bool_),
     )
     way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none[1:], none)
-    trapped = len(lifter.trapped(way)) > 0
+    trapped = len(lifter.find_trapped(way)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
     if rocks and not trapped and not which_enter(cutter, tree, swept, tolerance, blocks, going).any():
         return Lifted(path, np.arange(len(path.tip)), np.zeros(len(path.tip)), 0.0)
@@ -185,7 +185,7 @@ class _Rows(NamedTuple):
     lift: Floats
     over: Bools
 
-    def picked(self, rows: Ints) -> _Rows:
+    def take(self, rows: Ints) -> _Rows:
         return _Rows._make(column[rows] for column in self)
 
 
@@ -204,7 +204,7 @@ class _Lifter:
     above: float
     aside: Ints
 
-    def trapped(self, way: _Way) -> Ints:
+    def find_trapped(self, way: _Way) -> Ints:
         """Return the rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves,
         meets the part. Where the next cut goes on from the same place nothing comes or leaves."""
         link_moves = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > STILL_MM))
@@ -270,7 +270,7 @@ class _Lifter:
             high = np.flatnonzero(0.5 * (way.lift[blocks] + way.lift[blocks + 1]) - rows.lift > tolerance)
             if not len(high):
                 break
-            way, wait = _put_in(way, blocks[high], rows.picked(high))
+            way, wait = _put_in(way, blocks[high], rows.take(high))
         return way
 
     def between(self, way: _Way, dirty: Bools) -> _Way:
@@ -326,7 +326,7 @@ class _Lifter:
         enters = which_enter(self.cutter, self.tree, swept, self.aim, lifted, self.going)
         blocks = lifted[enters[lifted]]
         beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
-        rows = np.concatenate([beside, self.trapped(way)])
+        rows = np.concatenate([beside, self.find_trapped(way)])
         return under_with(self.cutter, self.tree, way.tip, way.axis, way.cuts, rows, self.aim, self.going)
 
 

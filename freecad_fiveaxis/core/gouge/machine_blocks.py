@@ -29,9 +29,9 @@ from .machine_bodies import make_mesh
 from .machine_check import (
     InMachine,
     carry_all,
+    find_locked_letters,
     is_held,
     lock_words,
-    locked_letters,
     needs_length,
     pair_check,
     spindle_of,
@@ -60,7 +60,7 @@ class MachineBlocks:
         given = self.given
         return tuple(
             (
-                locked_letters(given.machine, body),
+                find_locked_letters(given.machine, body),
                 facet_tree(make_mesh(body, -np.array(given.setup.origin), self.progress)),
             )
             for body in given.machine.bodies

@@ -70,14 +70,14 @@ def check_machine(
         )
         return (report_finding(Code.MACHINE_UNPROVEN, text, severity=Severity.NOTE),)
     return (
-        *_unplaced(given),
+        *_report_unplaced(given),
         *_against_bodies(given, program, tolerance, progress),
         *_against_part(given, program, part, tolerance, progress),
         *_of_bodies(given, program, part, tolerance, progress),
     )
 
 
-def _unplaced(given: InMachine) -> Iterator[Finding]:
+def _report_unplaced(given: InMachine) -> Iterator[Finding]:
     """Yield what cannot be looked at without the tool's length."""
     missing = [one.name for one in given.machine.bodies if needs_length(given.machine, one)]
     if given.length is None and missing:
@@ -95,7 +95,7 @@ def needs_length(machine: Machine, body: MachineBody) -> bool:
     it, or the table moves along Z beyond it."""
     if not is_held(machine, body):
         return True
-    locked = locked_letters(machine, body)
+    locked = find_locked_letters(machine, body)
     return any(
         axis.letter in locked and not axis.rotary and abs(axis.direction[2]) > 1e-9 for axis in machine.axes
     )
@@ -107,7 +107,7 @@ def is_held(machine: Machine, body: MachineBody) -> bool:
     return body.carrier in (BASE, *table)
 
 
-def locked_letters(machine: Machine, body: MachineBody) -> str:
+def find_locked_letters(machine: Machine, body: MachineBody) -> str:
     """Return the axes of the table between the body's carrier and the work."""
     table = [axis.letter for axis in machine.fitted if axis.side == "table"]
     return "".join(table if body.carrier == BASE else table[: table.index(body.carrier)])
@@ -136,7 +136,7 @@ def _against_bodies(
     for body in given.machine.bodies:
         if not is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
             continue
-        letters = locked_letters(given.machine, body)
+        letters = find_locked_letters(given.machine, body)
         moved = replace(
             program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters)
         )

@@ -46,7 +46,7 @@ from .carried_motion import CarriedMotion
 from .carried_pieces import Carried, CarriedPair, carry_bodies, carry_tool, carry_work, pair_up
 from .inside import inside, is_closed
 from .machine_bodies import make_mesh, spindle_body
-from .machine_check import InMachine, is_held, lock_words, locked_letters, needs_length, zero_words
+from .machine_check import InMachine, find_locked_letters, is_held, lock_words, needs_length, zero_words
 from .rest_material import surface_samples
 from .search import which_enter
 from .swept_motion import still_positions
@@ -126,13 +126,13 @@ class PairInPose:
     def meet(self, off: Floats) -> Bools:
         """Tell where (n,) they do, all joints (n, 5) in mm and rad."""
         joints, met = off[:, self.at], np.zeros(len(off), np.bool_)
-        rows = np.flatnonzero(~self._proven(joints)) if self.turned else np.arange(len(off))
+        rows = np.flatnonzero(~self._is_proven(joints)) if self.turned else np.arange(len(off))
         poses, guess = self.motion.lines(joints[rows]).poses, np.tile((0.0, 0.0, 1.0), (len(rows), 1))
         gaps = find_gaps(self.motion.moved, self.standing, poses, self.within, np.zeros(len(rows)), guess)
         met[rows] = ~(gaps.least > 0.0)
         return met
 
-    def _proven(self, joints: Floats) -> Bools:
+    def _is_proven(self, joints: Floats) -> Bools:
         """Which joints (n, k) lie in a free cell."""
         low, high = self.low[self.at - 3], self.high[self.at - 3]
         cell = np.minimum(((joints - low) / (high - low) * CELLS).astype(np.int64), CELLS - 1)
@@ -216,7 +216,7 @@ class MachineInPose:
         self, tool: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float, far: float
     ) -> Bools:
         spindle = extend_way_out(self.spindle, far) if far else self.spindle
-        stack, kinematics = self._thickened((*tool.pieces, *spindle.pieces)), self.given.kinematics
+        stack, kinematics = self._thicken_pieces((*tool.pieces, *spindle.pieces)), self.given.kinematics
         angles, sine = inverse_axis(kinematics, axis)
         low, high = kinematics.low[3:], kinematics.high[3:]
         fits, pole, met = within_limits(angles, low, high), sine <= POLE_ANGLE, np.ones(len(tip), np.bool_)
@@ -230,7 +230,7 @@ class MachineInPose:
         met[rows] = self._at_pole(stack, tip[rows], axis[rows], angles[0, rows], limit)
         return met
 
-    def _thickened(self, pieces: Iterable[Piece]) -> Body:
+    def _thicken_pieces(self, pieces: Iterable[Piece]) -> Body:
         """Shank, holder and spindle thicker by the margin; the cutter as it is, for it may work close to a
         body."""
         return Body(
@@ -245,7 +245,7 @@ class MachineInPose:
         met = self._at(stack, tip[row], axis[row], turned, limit)
         return np.asarray(met.reshape(-1, len(words)).any(axis=1))
 
-    def blocked(self, driven: Floats, axis: Floats, angles: Floats) -> Bools:
+    def is_blocked(self, driven: Floats, axis: Floats, angles: Floats) -> Bools:
         """Tell where (n,) the machine is in the way with the driven point (n, 3) mm and unit axis (n, 3)
         there at rotary words ``angles`` (n, 2) rad."""
         stack = Body((*self.given.body.pieces, *self.spindle.pieces))
@@ -272,7 +272,7 @@ class MachineInPose:
         words = q_to_words(joint_words(given.kinematics, tip + given.back * axis, angles))
         met = np.asarray(np.isnan(words).any(axis=1))
         for locked in sorted({one.locked for one in self.held} - {""}):
-            self._add_hits(met, locked, stack, *self._seen_from(locked, words), limit)
+            self._add_hits(met, locked, stack, *self._view_from_body(locked, words), limit)
         off = words - zero_words(given.machine, given.setup, given.kinematics)
         off[:, 3:], (first, which) = np.deg2rad(off[:, 3:]), _different(angles)
         for pair in self.pairs:
@@ -283,7 +283,7 @@ class MachineInPose:
                 met[rows] = pair.meet(off[rows])
         return met
 
-    def _seen_from(self, locked: str, words: Floats) -> tuple[Floats, Floats]:
+    def _view_from_body(self, locked: str, words: Floats) -> tuple[Floats, Floats]:
         """Tips (n, 3) and axes (n, 3) as a body sees them from which on these axes are locked."""
         given = self.given
         words = lock_words(given.machine, given.setup, given.kinematics, words, locked)
@@ -299,18 +299,18 @@ def machine_in_pose(
     machine = given.machine
     if not machine.bodies:
         return None
-    held = _held_bodies(given, progress)
+    held = _find_held_bodies(given, progress)
     carried = [*carry_bodies(machine, progress), *carry_work(machine, given.setup, part, given.fixtures)]
     return MachineInPose(given, tuple(held), tuple(carried), tolerance, margin)
 
 
-def _held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody]:
+def _find_held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody]:
     for body in given.machine.bodies:
         if is_held(given.machine, body) and not (given.length is None and needs_length(given.machine, body)):
             mesh = make_mesh(body, -np.array(given.setup.origin), progress)
             sample, _, _ = surface_samples(mesh, math.sqrt(float(mesh.area.sum()) / POINTS))
             yield HeldBody(
-                locked_letters(given.machine, body), mesh, (mesh.vertex @ WAYS.T).max(axis=0), sample
+                find_locked_letters(given.machine, body), mesh, (mesh.vertex @ WAYS.T).max(axis=0), sample
             )
 
 

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, Piece
 
-from .bounds import pared, toward_box, toward_triangle
+from .bounds import pare_piece, toward_box, toward_triangle
 from .deepest import deepest, end_and_side, support_at
 from .edges import along
 from .joint_box import Hulls, JointBoxes, JointSpace
@@ -177,17 +177,17 @@ class _Search:
             if piece.most + self.tree.most_allowance <= self.limit:
                 continue
             none = np.zeros(len(boxes.block), np.int64)
-            nodes, facets = _sliced(_Pairs(none, boxes, none)), list[_FacetPairs]()
+            nodes, facets = _slice_pairs(_Pairs(none, boxes, none)), list[_FacetPairs]()
             while (
                 nodes or facets
             ):  # facets first, the last first: what is found deep makes others superfluous, and few are open
                 if facets:
-                    for pairs in self._facets(piece, _merged(facets)):
-                        facets += _sliced(pairs)
+                    for pairs in self._facets(piece, _take_slice(facets)):
+                        facets += _slice_pairs(pairs)
                 else:
                     *parts, found = self._nodes(piece, nodes.pop())
-                    nodes += [some for part in parts for some in _sliced(part)]
-                    facets += _sliced(found)
+                    nodes += [some for part in parts for some in _slice_pairs(part)]
+                    facets += _slice_pairs(found)
 
     def _sample(self, boxes: JointBoxes) -> None:
         """Look at the middle and the corners of boxes that reach the part: most of those that enter it are
@@ -216,7 +216,7 @@ class _Search:
         one, two = pairs.take(np.flatnonzero(by_box)), pairs.take(np.flatnonzero(~by_box))
         many = self.tree.arity.take(two.node)
         owner = np.repeat(np.arange(len(many)), many)
-        halves = one.boxes.halved(size[by_box].argmax(axis=1))
+        halves = one.boxes.halve(size[by_box].argmax(axis=1))
         corner = self.tree.corners(facets.node - self.tree.leaf)
         return (
             _Pairs(
@@ -250,11 +250,11 @@ class _Search:
     def _core(self, piece: Piece) -> tuple[Piece, float]:
         """Return what is left of the piece without the limit, and what was taken off; all of a piece that is
         no thicker than that."""
-        return pared(piece, self.limit if piece.most > self.limit else 0.0)
+        return pare_piece(piece, self.limit if piece.most > self.limit else 0.0)
 
     def _toward_node(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
         g, begins = toward_box(piece, hulls.pose.tip, hulls.pose.axis, self.tree.boxes(node))
-        return hulls.reached(piece, g) - begins
+        return hulls.compute_support(piece, g) - begins
 
     def _along_box(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
         """Return the least of the bounds along the directions of the node's box: wide boxes of joints are
@@ -262,15 +262,14 @@ class _Search:
         box = self.tree.boxes(node)
         arm = along(box.ways, box.middle - hulls.pose.tip)
         ways = zip(box.ways, arm, box.half, strict=True)
-        return np.asarray(
-            np.min([hulls.reached(piece, s * g) - s * a + h for g, a, h in ways for s in (1, -1)], axis=0)
-        )
+        bounds = [hulls.compute_support(piece, s * g) - s * a + h for g, a, h in ways for s in (1, -1)]
+        return np.asarray(np.min(bounds, axis=0))
 
     def _along_normal(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
         plate = self.tree.plates(node)
         place = (plate.normal * hulls.pose.tip).sum(axis=0)
-        up = hulls.reached(piece, plate.normal) + place - plate.bottom
-        down = hulls.reached(piece, -plate.normal) - place + plate.top
+        up = hulls.compute_support(piece, plate.normal) + place - plate.bottom
+        down = hulls.compute_support(piece, -plate.normal) - place + plate.top
         return np.asarray(np.minimum(up, down))
 
     def _facets(self, piece: Piece, pairs: _FacetPairs) -> list[_FacetPairs]:
@@ -324,7 +323,7 @@ class _Search:
         along."""
         most, best = np.full(arm.shape[2], np.inf), directions[0]
         for g in directions:
-            bound = hulls.reached(piece, g) - along(arm, g).min(axis=0)
+            bound = hulls.compute_support(piece, g) - along(arm, g).min(axis=0)
             best = np.where(bound < most, g, best)
             most = np.minimum(most, bound)
         return most, best
@@ -362,7 +361,7 @@ def _halves(pairs: _FacetPairs, spread: Floats, flat: Floats) -> list[_FacetPair
     adds more."""
     by_box = spread.max(axis=1, initial=0.0) >= flat
     one, two = pairs.take(np.flatnonzero(by_box)), pairs.take(np.flatnonzero(~by_box))
-    boxes, owner = one.boxes.halved(spread[by_box].argmax(axis=1)), np.tile(np.arange(len(one.leaf)), 2)
+    boxes, owner = one.boxes.halve(spread[by_box].argmax(axis=1)), np.tile(np.arange(len(one.leaf)), 2)
     same = two.take(np.tile(np.arange(len(two.leaf)), 2))
     halves = np.concatenate(halves_of_facets(two.corner), axis=2)
     return [
@@ -375,7 +374,7 @@ def _longest_side(corner: Floats) -> Floats:
     return np.asarray(np.sqrt(((corner - np.roll(corner, -1, axis=0)) ** 2).sum(axis=1).max(axis=0)))
 
 
-def _merged(open_: list[_FacetPairs]) -> _FacetPairs:
+def _take_slice(open_: list[_FacetPairs]) -> _FacetPairs:
     """Take the last of them from the list, as many as make a slice."""
     taken, count = [open_.pop()], 0
     while open_ and (count := count + len(taken[-1].leaf)) + len(open_[-1].leaf) <= SLICE:
@@ -387,7 +386,7 @@ def _merged(open_: list[_FacetPairs]) -> _FacetPairs:
     return _FacetPairs(turns, boxes, leaf, np.concatenate([one.corner for one in taken], axis=2))
 
 
-def _sliced(pairs: Some) -> list[Some]:
+def _slice_pairs(pairs: Some) -> list[Some]:
     count = len(pairs.boxes.block)
     if count <= SLICE:
         return [pairs] if count else []

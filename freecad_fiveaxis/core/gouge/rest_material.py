@@ -87,7 +87,7 @@ class RestMaterial:
         more = self.height > above
         return float(self.area[more].sum()), float(((self.height - above) * self.area)[more].sum())
 
-    def taken(self, below: float) -> tuple[float, float]:
+    def sum_overcut(self, below: float) -> tuple[float, float]:
         """Return the area (mm2) on which more than ``below`` mm is taken off too deep, and how much more
         there is on it (mm3)."""
         more = self.height < -below
@@ -119,12 +119,12 @@ def find_rest_material(
         some = counts(point, facet)
         point, facet, area = point[some], facet[some], area[some]
     progress("what is left", 0.0)
-    way, near = _sampled_enough(body, swept, blocks, point)
+    way, near = _sample_enough(body, swept, blocks, point)
     height, nearest = np.empty(len(point)), np.empty(len(point), np.int64)
 
     def work(first: int) -> None:
         rows = slice(first, first + CHUNK // near)
-        height[rows], nearest[rows] = _screened(body, way, point[rows], near, enough)
+        height[rows], nearest[rows] = _screen_points(body, way, point[rows], near, enough)
 
     in_threads(work, range(0, len(point), CHUNK // near), lambda share: progress("what is left", share))
     progress("what is left", 1.0)
@@ -146,7 +146,7 @@ def surface_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tu
         )  # that opposite each corner
         apex, long = side.argmax(axis=1), side.max(axis=1) > LONGEST * spacing
         done.append((corner[~long], facet[~long]))
-        corner, facet = _halved(corner[long], apex[long]), np.repeat(facet[long], 2)
+        corner, facet = _halve_triangles(corner[long], apex[long]), np.repeat(facet[long], 2)
         if not len(facet):
             break
     corners, of = (np.concatenate(column) for column in zip(*done, (corner, facet), strict=True))
@@ -154,7 +154,7 @@ def surface_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tu
     return corners[order], of[order]
 
 
-def _halved(corner: Floats, apex: Ints) -> Floats:
+def _halve_triangles(corner: Floats, apex: Ints) -> Floats:
     """Both halves (2 k, 3, 3), in turn, of triangles (k, 3, 3): from ``apex`` (k,) to the middle of the side
     opposite."""
     row = np.arange(len(corner))
@@ -199,7 +199,7 @@ def _place(length: Floats, at: Floats) -> tuple[Ints, Floats]:
     return row, np.clip((at - length[row]) / whole, 0.0, 1.0)
 
 
-def _sampled(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) -> _Way:
+def _sample_way(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) -> _Way:
     poses = [swept.pose(blocks, np.full(len(blocks), u)) for u in (0.0, 0.5, 1.0)]
     steps = [
         np.linalg.norm(_middle(lowest, q) - _middle(lowest, p), axis=0)
@@ -239,19 +239,19 @@ def _wide(piece: Piece) -> tuple[float, float]:
     return flat, flat + piece.round
 
 
-def _sampled_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_Way, int]:
+def _sample_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_Way, int]:
     """Return the sampled way, and how many samples must be looked at for all that could touch one of some
     points (n,
     3) to be among them; where that is too many, the samples lie farther apart."""
     lowest = _lowest_piece(body)
     flat, wide = _wide(lowest)
     round_ = wide if lowest.bulge == 0.0 else lowest.widest  # a bulge is longer than it is wide
-    way, count = _sampled(lowest, swept, blocks, CLOSE * round_), NEAREST
+    way, count = _sample_way(lowest, swept, blocks, CLOSE * round_), NEAREST
     if flat > 0.0:
         some = point[:: max(len(point) // SOME, 1)]
         count = int(way.tree.query_ball_point(some, wide + way.spacing, return_length=True).max())
         if count > MOST_NEAREST:
-            way = _sampled(lowest, swept, blocks, way.spacing * count / MOST_NEAREST)
+            way = _sample_way(lowest, swept, blocks, way.spacing * count / MOST_NEAREST)
     return way, min(max(count, NEAREST), MOST_NEAREST, len(way.at))
 
 
@@ -275,7 +275,7 @@ def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Flo
     return np.stack(starts, axis=1), least
 
 
-def _screened(body: Body, way: _Way, point: Floats, count: int, enough: float) -> tuple[Floats, Ints]:
+def _screen_points(body: Body, way: _Way, point: Floats, count: int, enough: float) -> tuple[Floats, Ints]:
     """Return the least height (n,) of points and the block where it is; where a sample near it leaves no more
     than ``enough`` mm, the height there."""
     if enough == -np.inf:
@@ -356,7 +356,7 @@ def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
 def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:
     """Return a finding where the cutter takes off more than ``tolerance`` mm too much somewhere: area, depth
     and its place."""
-    area, volume = remainder.taken(tolerance)
+    area, volume = remainder.sum_overcut(tolerance)
     if area == 0.0:
         return ()
     worst = int(remainder.height.argmin())

@@ -30,8 +30,8 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, Piece, grow_body
 
-from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
-from .deepest import deepest, end_and_side, least_mixed, shortened, support_at
+from .bounds import box_bound, facet_bound, least_depth, pare_piece, plate_bound
+from .deepest import compute_needed_height, deepest, end_and_side, least_mixed, support_at
 from .demanded_lift import raise_to_demand
 from .swept_motion import Clusters, MotionSegments, Poses, SweptMotion, clusters_of, segments_of
 
@@ -187,7 +187,7 @@ class _Left(NamedTuple):
     corner: Floats
     leaf: Ints
 
-    def picked(self, rows: Ints | Bools) -> _Left:
+    def take(self, rows: Ints | Bools) -> _Left:
         return _Left(
             self.block[rows], self.start[rows], self.end[rows], self.corner[..., rows], self.leaf[rows]
         )
@@ -261,10 +261,10 @@ class _Search:
         done: list[tuple[Ints, Ints]] = []
         while len(sweep):
             ticks()
-            sweep, node, enters = self._pruned(piece, clusters, owner, sweep, node)
+            sweep, node, enters = self._prune_pairs(piece, clusters, owner, sweep, node)
             whole = (clusters.arity.take(sweep) == 0) & (node >= self.tree.leaf)
             done.append((sweep[whole] - clusters.first, node[whole]))
-            sweep, node = _divided(clusters, self.tree, sweep[~whole], node[~whole], enters[~whole])
+            sweep, node = _divide_pairs(clusters, self.tree, sweep[~whole], node[~whole], enters[~whole])
             if len(sweep) > MOST_PAIRS and len(parts.block) > 1 and parts.block[0] != parts.block[-1]:
                 raise _TooMany
         segment, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
@@ -273,7 +273,7 @@ class _Search:
             parts.block[segment], parts.start[segment], parts.end[segment], self.tree.corners(leaf), leaf
         )
 
-    def _pruned(
+    def _prune_pairs(
         self, piece: Piece, clusters: Clusters, owner: Ints, sweep: Ints, node: Ints
     ) -> tuple[Ints, Ints, Bools]:
         """Return the pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the
@@ -290,8 +290,8 @@ class _Search:
     def _stay(
         self, piece: Piece, clusters: Clusters, sweep: Ints, place: Ints, node: Ints
     ) -> tuple[Ints, Bools]:
-        """:meth:`_pruned` for so many that two threads do not wait for each other: which rows stay."""
-        core, off = pared(piece, self.limit if piece.most > self.limit else 0.0)
+        """:meth:`_prune_pairs` for so many that two threads do not wait for each other: which rows stay."""
+        core, off = pare_piece(piece, self.limit if piece.most > self.limit else 0.0)
         floor = self.floors.take(place) - off - self.tree.most_of(node)
         most = np.full(len(node), piece.most - off)
         for first in range(0, len(node), AT_BOXES):
@@ -340,7 +340,7 @@ class _Search:
         more = self.tree.most_of(self.tree.leaf + left.leaf)
         for by in np.unique(more).tolist():
             self._demand_alike(
-                piece._replace(round=piece.round + by), grow_body(body, by), left.picked(more == by), lift
+                piece._replace(round=piece.round + by), grow_body(body, by), left.take(more == by), lift
             )
         return None
 
@@ -354,7 +354,7 @@ class _Search:
             rows = order[first : first + FEW_AT_ONCE]
             rows = rows[most[rows] > lift.take(left.block[rows])]
             if len(rows):
-                some, pose = left.picked(rows), Poses(start.tip[:, rows], start.axis[:, rows])
+                some, pose = left.take(rows), Poses(start.tip[:, rows], start.axis[:, rows])
                 way = ((self.swept.pose(some.block, some.end).tip - pose.tip) * pose.axis).sum(axis=0)
                 raise_to_demand(lift, some.block, piece, body, pose, way, some.corner, self.limit)
 
@@ -364,9 +364,9 @@ class _Search:
         parts = -(-len(left.block) // AT_ONCE)
         for k in range(parts):
             rows = np.arange(k, len(left.block), parts)
-            some = left.picked(rows)
+            some = left.take(rows)
             rows = np.flatnonzero(piece.most > self.floors.take(some.block) - self._more(some))
-            self._refine_some(piece, some.picked(rows), ticks)
+            self._refine_some(piece, some.take(rows), ticks)
 
     def _more(self, left: _Left) -> Floats | float:
         """Return the allowance (n,) mm of the facets of pairs."""
@@ -383,11 +383,11 @@ class _Search:
             self._note(piece, left, middle, more - deep.distance, deep.point)
             most, in_time, half_way = self._most(piece, left, pose, deep.point, deep.g)
             rows = np.flatnonzero(np.minimum(most, piece.most) > self.floors.take(left.block) - more)
-            left, most = left.picked(rows), most[rows]
+            left, most = left.take(rows), most[rows]
             if len(rows) > MOST_PAIRS:
                 break
             across = (half_way + deep.distance)[rows]
-            left, most = _halved(left, in_time[rows] >= across), np.tile(most, 2)
+            left, most = _halve_pairs(left, in_time[rows] >= across), np.tile(most, 2)
         np.maximum.at(self.found.bound, left.block, most + self._more(left))
 
     def _most(
@@ -402,9 +402,9 @@ class _Search:
         start, end = self.swept.pose(left.block, left.start), self.swept.pose(left.block, left.end)
         share = 0.125 * (left.end - left.start) ** 2
         bend, loose = share * self.swept.bend_tip[left.block], share * self.swept.bend_axis[left.block]
-        high = shortened(piece, start, end, left.corner, bend, loose)
+        high = compute_needed_height(piece, start, end, left.corner, bend, loose)
 
-        def bound(g: Floats) -> tuple[Floats, Floats, Floats]:
+        def compute_bounds(g: Floats) -> tuple[Floats, Floats, Floats]:
             over = np.maximum(*(support_at(piece, there, g, loose, high) for there in (start, end))) + bend
             begins, half_way = (
                 (g * left.corner).sum(axis=1).min(axis=0),
@@ -412,10 +412,10 @@ class _Search:
             )
             return over - begins, over - half_way, half_way - begins
 
-        most, in_time, flat = bound(g)
+        most, in_time, flat = compute_bounds(g)
         normal = self.tree.plates(self.tree.leaf + left.leaf).normal
         for direction in (normal, -normal):
-            most = np.minimum(most, bound(direction)[0])
+            most = np.minimum(most, compute_bounds(direction)[0])
         if piece.round == 0.0:
             ends = []
             for g in end_and_side(piece, pose, point):
@@ -443,7 +443,7 @@ class _Search:
         self._raise(block)
 
 
-def _divided(
+def _divide_pairs(
     clusters: Clusters, tree: FacetTree, sweep: Ints, node: Ints, enters: Bools
 ) -> tuple[Ints, Ints]:
     """Return the larger partner of each pair replaced by its children; the cluster where it does enter,
@@ -464,7 +464,7 @@ def family(first: Ints, count: Ints) -> Ints:
     return np.asarray(np.arange(int(count.sum())) + np.repeat(first - head, count))
 
 
-def _halved(left: _Left, in_time: Bools) -> _Left:
+def _halve_pairs(left: _Left, in_time: Bools) -> _Left:
     """Each pair as two: the first and the second half of its stretch, or the facet parted across its longest
     side."""
     middle = 0.5 * (left.start + left.end)

@@ -133,13 +133,13 @@ def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMot
 
     def pose(block: Ints, u: Floats) -> Poses:
         there = at(move.take(block), u)
-        k = _stacked(to_work(frame, axis(frame, there)), len(block))
-        return Poses(_stacked(to_work(frame, tip(frame, there)), len(block)) - back * k, k)
+        k = _stack_columns(to_work(frame, axis(frame, there)), len(block))
+        return Poses(_stack_columns(to_work(frame, tip(frame, there)), len(block)) - back * k, k)
 
     return SweptMotion(pose, np.broadcast_to(bending(quick_levers(move), 2), turn.shape) + back * turn, turn)
 
 
-def _stacked(vector: Vectors, count: int) -> Floats:
+def _stack_columns(vector: Vectors, count: int) -> Floats:
     return np.stack([np.broadcast_to(column, (count,)) for column in vector])
 
 
@@ -239,7 +239,7 @@ def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels:
         last = np.minimum(first + WIDE, counts[0]) - 1
         begin, stop = Poses(*(part[:, first] for part in start)), Poses(*(part[:, last] for part in end))
         straight = _straight(begin, stop)
-        rows.insert(0, (*straight, *_joined(straight, start, end, first, last, *rows[0][4:])))
+        rows.insert(0, (*straight, *_compute_joined_bends(straight, start, end, first, last, *rows[0][4:])))
         start, end = begin, stop
         counts.insert(0, len(first))
     tip, travel, axis, turn, bend_tip, bend_axis = (
@@ -280,7 +280,7 @@ def _straight(start: Poses, end: Poses) -> tuple[Floats, Floats, Floats, Floats]
     return start.tip + travel, travel, start.axis + turn, turn
 
 
-def _joined(
+def _compute_joined_bends(
     straight: tuple[Floats, ...], start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats,
     bend_axis: Floats
 ) -> tuple[Floats, Floats]:  # fmt: skip

@@ -26,10 +26,10 @@ def points_touched(piece: Piece, pose: Poses, corner: Floats) -> list[Floats]:
     """Return the points (3, n) mm of facets, corners (3, 3, n) mm, that the piece touches: one of the facet's
     plane, NaN where it is not in the facet, and one of each edge, where what it demands is concave."""
     edges = [_highest_over(piece, pose, corner[k], corner[(k + 1) % 3]) for k in range(3)]
-    return [_touched(piece, pose, corner), *edges]
+    return [_find_touched_points(piece, pose, corner), *edges]
 
 
-def _touched(piece: Piece, pose: Poses, corner: Floats) -> Floats:
+def _find_touched_points(piece: Piece, pose: Poses, corner: Floats) -> Floats:
     """Return the point (3, n) of each facet's plane at which a piece that comes down touches it, where that
     is in the facet; or NaN."""
     a, ab, ac = corner[0], corner[1] - corner[0], corner[2] - corner[0]
@@ -63,7 +63,7 @@ def _highest_over(piece: Piece, pose: Poses, begin: Floats, end: Floats) -> Floa
     a, b, c = (go * go).sum(axis=0), (out * go).sum(axis=0), (out * out).sum(axis=0)
     wide, round_ = piece.low_radius + piece.round, piece.round
 
-    def demanded(share: Floats) -> Floats:
+    def find_demand(share: Floats) -> Floats:
         radius = np.sqrt(np.maximum(c + share * (2.0 * b + share * a), 0.0))
         over = np.maximum(radius - piece.low_radius, 0.0)
         up = height + share * rise + np.sqrt(np.maximum(round_ * round_ - over * over, 0.0))
@@ -71,7 +71,7 @@ def _highest_over(piece: Piece, pose: Poses, begin: Floats, end: Floats) -> Floa
 
     low, high = np.zeros(len(a)), np.ones(len(a))
     one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    first, second = demanded(one), demanded(two)
+    first, second = find_demand(one), find_demand(two)
     for _ in range(STEPS):
         left = first > second
         low, high = np.where(left, low, one), np.where(left, two, high)
@@ -79,6 +79,6 @@ def _highest_over(piece: Piece, pose: Poses, begin: Floats, end: Floats) -> Floa
             np.where(left, high - GOLDEN * (high - low), two),
             np.where(left, one, low + GOLDEN * (high - low)),
         )
-        fresh = demanded(np.where(left, one, two))
+        fresh = find_demand(np.where(left, one, two))
         first, second = np.where(left, fresh, second), np.where(left, first, fresh)
     return np.asarray(begin + 0.5 * (low + high) * way)

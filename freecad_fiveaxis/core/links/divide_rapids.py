@@ -97,7 +97,7 @@ class Pieces(NamedTuple):
         """Pick some of them."""
         return Pieces(self.rapid[rows], self.begin[rows], self.end[rows])
 
-    def halved(self) -> Pieces:
+    def halve(self) -> Pieces:
         """Halve each of them: first all first halves, then all second ones."""
         middle = 0.5 * (self.begin + self.end)
         return Pieces(np.tile(self.rapid, 2), np.append(self.begin, middle), np.append(middle, self.end))
@@ -148,7 +148,7 @@ def divide_rapids(
     words = ways.words(cuts.rapid, cuts.end)
     longer = _insert_words(joints, kinematics, rows[cuts.rapid], words)
     count = len(np.unique(cuts.rapid))
-    return replace(longer, findings=(*longer.findings, _divided_finding(count, len(words), dialect)))
+    return replace(longer, findings=(*longer.findings, _report_divided(count, len(words), dialect)))
 
 
 def rapid_ways(joints: JointPath, kinematics: Chain, dialect: Dialect) -> tuple[Ints, RapidWays]:
@@ -180,7 +180,7 @@ def find_cuts(ways: RapidWays, clearance: RapidClearance) -> Pieces:
     for _ in range(HALVINGS):
         if not len(blocked.rapid):
             break
-        pieces = blocked.halved()
+        pieces = blocked.halve()
         cuts.append(pieces.take(np.arange(len(blocked.rapid))))
         blocked = pieces.take(clearance.find_blocked(ways, pieces))
     every = Pieces(*(np.concatenate(column) for column in zip(*cuts, strict=True)))
@@ -196,20 +196,20 @@ def _insert_words(joints: JointPath, kinematics: Chain, at: Ints, words: Floats)
     drive = insert_rows(drive, kinematics, at, tip, axis, q[:, 3:], motion, tip)
     put, pair = Insertion(len(path.tip), at), RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     sine = put.interleave(joints.sine, pair.reach * np.abs(np.sin(q[:, 4] - pair.best)))
-    findings = tuple(_moved(finding, at) for finding in joints.findings)
+    findings = tuple(_move_finding(finding, at) for finding in joints.findings)
     return JointPath(
         drive.path, drive.row, put.interleave(joints.q, q), drive.branch, sine, findings, joints.rewinds
     )
 
 
-def _moved(finding: Finding, at: Ints) -> Finding:
+def _move_finding(finding: Finding, at: Ints) -> Finding:
     """Return the finding at the row that its own has become."""
     if finding.block is None:
         return finding
     return replace(finding, block=finding.block + int(np.searchsorted(at, finding.block, side="right")))
 
 
-def _divided_finding(rapids: int, rows: int, dialect: Dialect) -> Finding:
+def _report_divided(rapids: int, rows: int, dialect: Dialect) -> Finding:
     text = say(
         "{count} rapids are divided by {rows} more blocks, so that the tool stays clear of the part on "
         "whichever way {name} drives the axes between their ends.",

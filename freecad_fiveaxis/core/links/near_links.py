@@ -84,7 +84,7 @@ def stay_near(
         )
         height[rows[free]] = lift
     chosen = np.flatnonzero(np.isfinite(height))
-    return _linked(path, gaps.last[chosen], gaps.first[chosen], height[chosen]) if len(chosen) else path
+    return _insert_links(path, gaps.last[chosen], gaps.first[chosen], height[chosen]) if len(chosen) else path
 
 
 def find_gaps(path: CLPath) -> Gaps:
@@ -153,7 +153,7 @@ def _free(
     return np.asarray(~enters[blocks].reshape(-1, 3).any(axis=1))
 
 
-def _linked(path: CLPath, last: Ints, first: Ints, height: Floats) -> CLPath:
+def _insert_links(path: CLPath, last: Ints, first: Ints, height: Floats) -> CLPath:
     """Return the path with near links (g,) in place of what lies between these rows."""
     between = np.zeros(len(path.tip) + 1, np.int64)
     between[last + 1] += 1

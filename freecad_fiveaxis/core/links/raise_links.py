@@ -99,7 +99,7 @@ def raise_links(joints: JointPath, kinematics: Chain, hits: Hits, clearance: flo
     wanted = trial.lowest_free(clearance)
     height = np.where(wanted <= trial.room, wanted, 0.0)
     chosen = np.flatnonzero(height > 0.0)
-    raised = _raised(joints, kinematics, gaps.take(chosen), height[chosen]) if len(chosen) else None
+    raised = _raise_gaps(joints, kinematics, gaps.take(chosen), height[chosen]) if len(chosen) else None
     if raised is None:
         return Raised(joints, height, wanted, trial.room, gaps.begin)
     return Raised(raised.joints, height, wanted, trial.room, raised.moved[gaps.begin])
@@ -132,7 +132,7 @@ class _Trial:
     def free(self, rows: Ints, height: Floats) -> Bools:
         """Which of the gaps ``rows`` (k,) are free if raised by ``height`` (k,) mm."""
         part, gaps = _only(self.joints, self.gaps.take(rows))
-        raised = _raised(part, self.kinematics, gaps, height)
+        raised = _raise_gaps(part, self.kinematics, gaps, height)
         return ~_hit_by(raised.joints, raised.gap, len(rows), self.hits)
 
     def lowest_free(self, clearance: float) -> Floats:
@@ -166,7 +166,7 @@ class _Path(NamedTuple):
     moved: Ints
 
 
-def _raised(joints: JointPath, kinematics: Chain, gaps: Gaps, height: Floats) -> _Path:
+def _raise_gaps(joints: JointPath, kinematics: Chain, gaps: Gaps, height: Floats) -> _Path:
     """Return the joint path with these gaps raised by ``height`` (g,) mm."""
     n, up = len(joints.q), raising_axis(kinematics)
     gap, lifted = _between(gaps.out, gaps.back)

@@ -47,7 +47,7 @@ class Boundary:
     low: Floats
     high: Floats
 
-    def seen(self, point: Floats) -> Floats:
+    def project(self, point: Floats) -> Floats:
         """Give the points (..., 3) mm as they are seen along the axis, (..., 2) mm."""
         return np.asarray(point @ self.basis.T)
 
@@ -166,7 +166,7 @@ def facets_within(
     wanted = np.ones(len(mesh.face), np.bool_) if faces is None else faces
     rows = np.flatnonzero(wanted)
     kept = np.zeros(len(wanted), np.bool_)
-    corner = boundary.seen(mesh.vertex)[mesh.face[rows]]
+    corner = boundary.project(mesh.vertex)[mesh.face[rows]]
     kept[rows] = boundary.curves.find_touched(corner, reach)
     if not kept.any():
         raise SettingsError(nothing_inside(boundary), boundary.name)

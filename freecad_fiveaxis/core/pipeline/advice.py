@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, join_sentences, say
 from freecad_fiveaxis.core.tool import cutter_text
 
-from .collision_avoidance import finished_area, unfinished_share
+from .collision_avoidance import compute_finished_area, compute_unfinished_share
 from .over_table import AUTO
 from .programs import MilledProgram, Result
 from .settings import MILL, Settings, build_settings, flat_options
@@ -51,15 +51,17 @@ def measure_finished(result: Result) -> float:
     """Measure the area, mm2, that a program finishes."""
     draft = result.draft
     assert isinstance(draft, MilledProgram)
-    return finished_area(result.findings, draft.mesh, draft.keep)
+    return compute_finished_area(result.findings, draft.mesh, draft.keep)
 
 
 def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
     """Try what may finish more than a program of ``mill`` does, the largest gain first; ``run`` makes and
     proves a program of the same part, faces and fixtures. Raises Cancelled."""
     settings = result.draft.settings
-    before = measure_finished(result if result.rest is not None else run(_measured(settings, {})))
-    found = [_try(_measured(settings, changes), changes, before, run) for changes in find_changes(settings)]
+    before = measure_finished(result if result.rest is not None else run(_apply_changes(settings, {})))
+    found = [
+        _try(_apply_changes(settings, changes), changes, before, run) for changes in find_changes(settings)
+    ]
     return tuple(sorted(found, key=lambda one: -one.gain))
 
 
@@ -80,7 +82,7 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
         yield from ({"cutter": cutter_text(cutter.scale(share))} for share in SMALLER)
 
 
-def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:
+def _apply_changes(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     """Return the settings with these changes, and what is left measured."""
     options = {**flat_options(settings), "rest": "on", **changes}
     given = {
@@ -112,7 +114,7 @@ def add_advice(result: Result, run: Run) -> Result:
     draft = result.draft
     if (
         not isinstance(draft, MilledProgram)
-        or unfinished_share(result.findings, draft.mesh, draft.keep) < SHARE
+        or compute_unfinished_share(result.findings, draft.mesh, draft.keep) < SHARE
     ):
         return result
     found = report_advice(try_others(result, run), float(draft.program.seconds.sum()))

@@ -48,7 +48,7 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
     settings, offset, frame, found = context.settings, passes.offset, passes.frame, tuple[Finding, ...]()
     axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
     if context.frames is not None and frame is not None and len(axis):
-        offset, axis, found = framed_rows(context, context.frames, offset, frame)
+        offset, axis, found = select_framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):
         offset, axis, found = free_rows(context, context.field, offset, axis)
     cutter, wanted = (
@@ -97,7 +97,7 @@ def free_rows(
     return offset, axis, found
 
 
-def framed_rows(
+def select_framed_rows(
     context: MillContext, frames: Frames, offset: OffsetPath, frame: Ints
 ) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
     """Return the rows, frame by frame, at which the tool is free with the axis of the frame of their pass,

@@ -78,7 +78,7 @@ def facets_off(keep_off: KeepOff | None, mesh: Mesh, facets: Bools) -> tuple[Boo
     return left, found
 
 
-def kept_off_faces(context: MillContext, offset: OffsetPath) -> OffsetPath:
+def cut_clear_of_faces(context: MillContext, offset: OffsetPath) -> OffsetPath:
     """Cut the passes where the corner ball comes too near to faces to avoid, and order the pieces anew where
     passes run to and fro. Raises SettingsError where nothing is left."""
     keep_off = context.keep_off

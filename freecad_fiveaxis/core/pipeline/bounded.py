@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from freecad_fiveaxis.core.toolpath.cut_at_boundary import cut_at_boundary
 
 from .context import MillContext
-from .options import driven_to_hub
+from .options import compute_driven_to_hub
 from .settings import Settings
 
 CENTRE = "centre"
@@ -44,9 +44,9 @@ def facets_inside(
     return facets_within(boundary, mesh, faces, reach)
 
 
-def bounded(context: MillContext, offset: OffsetPath) -> OffsetPath:
+def cut_to_boundary(context: MillContext, offset: OffsetPath) -> OffsetPath:
     """Cut the passes at the boundary, and order the pieces anew where passes run to and fro. Where the centre
-    of a cutter that is no ball counts, :func:`bounded_by_hub` does so once its axes are known. Raises
+    of a cutter that is no ball counts, :func:`cut_by_hub` does so once its axes are known. Raises
     SettingsError where nothing is left."""
     settings, boundary = context.settings, context.boundary
     if boundary is None or _by_hub(context):
@@ -57,7 +57,7 @@ def bounded(context: MillContext, offset: OffsetPath) -> OffsetPath:
     return order_with_axes(cut, cut.normal)[0]
 
 
-def bounded_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
+def cut_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
     """Cut passes on which a cutter that is no ball sits with its axes (n, 3) where its centre crosses the
     boundary, where that counts. Raises SettingsError where nothing is left."""
     if context.boundary is None or not _by_hub(context):
@@ -66,7 +66,7 @@ def bounded_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tu
     return cut, axis if along is None else along
 
 
-def counted_places(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
+def make_place_test(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
     """Return what tells of places (k, 3) mm on facets (k,) of the part whether they lie within the boundary,
     and far enough from faces to avoid, so that something is to be cut there; where the centre counts, the
     place of a ball's over them. None where there is neither."""
@@ -83,8 +83,8 @@ def _within(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
     if boundary is None:
         return None
     stand = context.settings.cutter.cutter.corner if context.settings.boundary.boundary_by == CENTRE else 0.0
-    normal, curves, seen = context.mesh.normal, boundary.curves, boundary.seen
-    return lambda point, facet: curves.inside(seen(point + stand * normal[facet]))
+    normal, curves, project = context.mesh.normal, boundary.curves, boundary.project
+    return lambda point, facet: curves.inside(project(point + stand * normal[facet]))
 
 
 def leads_outside(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:
@@ -93,7 +93,9 @@ def leads_outside(context: MillContext, path: CLPath, begin: Ints, end: Ints) ->
     if boundary is None:
         return np.zeros(len(begin), np.bool_)
     by_centre = settings.boundary.boundary_by == CENTRE
-    place = boundary.seen(path.tip + driven_to_hub(settings) * path.axis if by_centre else path.contact)
+    place = boundary.project(
+        path.tip + compute_driven_to_hub(settings) * path.axis if by_centre else path.contact
+    )
     found = ~boundary.curves.inside(0.5 * (place[begin] + place[end]))
     found[boundary.curves.crossings(place[begin], place[end])[0]] = True
     return found

@@ -23,9 +23,9 @@ from freecad_fiveaxis.core.toolpath.cl_path import link_passes as link_rows
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 from .avoided import far_enough_rows
-from .bounded import bounded_by_hub, leads_outside
+from .bounded import cut_by_hub, leads_outside
 from .context import MillContext
-from .options import kept_off, lead_options, reacher_in, tip_to_driven, tip_to_surface, tool_body
+from .options import choose_rapid_body, lead_options, reacher_in, tip_to_driven, tip_to_surface, tool_body
 from .records import AssignedAxes, LinkedPath
 from .rotary_axis import turns_the_part
 from .settings.tree import FROM_AXIS
@@ -34,7 +34,7 @@ from .settings.tree import FROM_AXIS
 def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
     """Set the cutter on every contact, leave out what would enter where that is asked for, and link the
     passes over the part."""
-    path, left_out = _linked(context, passes.cut, passes.corrected)
+    path, left_out = _link_seated(context, passes.cut, passes.corrected)
     entering = AIM * context.settings.proof.tolerance if left_out else 0.0
     return LinkedPath(**vars(passes), path=path, cured=left_out, entering=entering)
 
@@ -42,10 +42,10 @@ def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
 def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     """Return the CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``:
     the cutter sits anew on each of them, whatever led its axis there."""
-    return _linked(context, offset, axis)[0]
+    return _link_seated(context, offset, axis)[0]
 
 
-def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool]:
+def _link_seated(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool]:
     """Return the same, and whether rows were left out because the tool would enter the part there."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     options = LinkOptions(
@@ -55,8 +55,8 @@ def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLP
     )  # fmt: skip
     offset = replace(offset, findings=())  # what was to say of it has been said
     seated, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
-    seated, axis = bounded_by_hub(context, seated, axis)
-    free, axis = left_out_rows(context, seated, axis)
+    seated, axis = cut_by_hub(context, seated, axis)
+    free, axis = leave_out_rows(context, seated, axis)
     left_out = free is not seated
     seated, axis = far_enough_rows(context, free, axis)
     path = link_rows(
@@ -66,7 +66,7 @@ def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLP
         *context.box,
         options,
         context.progress,
-        kept_off(settings),
+        choose_rapid_body(settings),
         _retreats(context, seated, axis),
     )
     return replace(path, findings=seated.findings + path.findings), left_out
@@ -81,7 +81,7 @@ def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats 
     return path_retreats(seated, axis, context.obstacles, reacher, context.progress)
 
 
-def left_out_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
+def leave_out_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
     """Return the rows that can be cut without entering the part, where the settings ask to leave out the
     others. ``seated``: with hubs."""
     settings = context.settings
@@ -145,5 +145,6 @@ def lead_in_and_out(context: MillContext, linked: LinkedPath) -> LinkedPath:
         return linked
     tree = facet_tree(context.obstacles)
     return replace(
-        linked, path=lead_in(linked.path, tree, kept_off(settings), lead_options(context), context.progress)
+        linked,
+        path=lead_in(linked.path, tree, choose_rapid_body(settings), lead_options(context), context.progress),
     )

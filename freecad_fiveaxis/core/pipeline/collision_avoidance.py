@@ -36,16 +36,16 @@ from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .bounded import counted_places
+from .bounded import make_place_test
 from .context import MillContext
 from .options import (
     axis_options,
     rapids_of,
+    read_scallop,
     tip_to_driven,
     tip_to_surface,
     tool_body,
     travels,
-    wanted_scallop,
 )
 from .over_table import table_looked_at
 from .settings import Settings
@@ -72,7 +72,7 @@ NOT_CUT = (
 """The codes of findings on facets that are not among those to be cut."""
 
 
-def commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
+def compute_commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
     """Return the way that the path commands: the point straight that makes the surface."""
     return straight_motion(
         path.tip - tip_to_driven(settings) * path.axis, path.axis, tip_to_surface(settings)
@@ -86,20 +86,20 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     if settings.gouge.rest == "on":
         return ()
     cutter = settings.cutter.cutter
-    swept = commanded_motion(settings, path)
+    swept = compute_commanded_motion(settings, path)
     spacing, above, blocks = (
         REST_SPACING * cutter.diameter,
-        allowed(settings, mesh, keep),
+        compute_allowed_rest(settings, mesh, keep),
         cutting(path.motion),
     )
-    within = counted_places(context)
+    within = make_place_test(context)
     rest = find_rest_material(
         mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within
     )
     return uncut_finding(rest, above)
 
 
-def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+def compute_allowed_rest(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the
     tolerance."""
     return 2.0 * _rest_scallop(settings, mesh, keep) + settings.proof.tolerance
@@ -109,7 +109,7 @@ def _rest_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     """Return the scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
     cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
     if passes.stepover is None:
-        return wanted_scallop(settings) or 0.0
+        return read_scallop(settings) or 0.0
     turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
     lean = axis_options(settings)
     stand = (tool.tool_axis, replace(lean, tilt=max(abs(lean.tilt), turned)))
@@ -125,7 +125,7 @@ def cutting(motion: Bytes) -> Ints:
     return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
 
 
-def entered(context: MillContext, program: Program) -> GougeCheck | None:
+def check_for_gouges(context: MillContext, program: Program) -> GougeCheck | None:
     """Return what the tool enters of the part on its real way, where the settings ask for the check."""
     settings, tolerance = context.settings, context.settings.proof.tolerance
     if settings.gouge.gouge == "off":
@@ -186,7 +186,7 @@ def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple
     return findings if check is None else tuple(one for one in findings if one.code not in JUDGED)
 
 
-def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
+def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """Return the share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away
     from the spindle is not counted. ``keep`` (f,): the facets that are cut."""
     out = area_of(findings, *NOT_CUT)
@@ -194,7 +194,7 @@ def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> 
     return (out + rest_area(findings)) / whole
 
 
-def finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
+def compute_finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """Return the area, mm2, of the facets that are cut, ``keep`` (f,), less what findings say stays on
     them."""
     return float(mesh.area[keep].sum()) - rest_area(findings)
@@ -223,7 +223,7 @@ def find_rest_of_program(context: MillContext, program: Program) -> RestMaterial
     )
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), REST_SPACING * cutter.diameter)
-    blocks, within = cutting(program.motion), counted_places(context)
+    blocks, within = cutting(program.motion), make_place_test(context)
     return find_rest_material(
         mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, counts=within
     )
@@ -235,4 +235,4 @@ def rest_material_findings(rest: RestMaterial | None, context: MillContext) -> t
         return ()
     settings = context.settings
     deep = too_deep_finding(rest, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
-    return uncut_finding(rest, allowed(settings, context.mesh, context.keep)) + deep
+    return uncut_finding(rest, compute_allowed_rest(settings, context.mesh, context.keep)) + deep

@@ -11,11 +11,11 @@ from freecad_fiveaxis.core.motion.linearize import linearize
 from freecad_fiveaxis.core.motion.program import block_findings, build_program
 from freecad_fiveaxis.core.motion.singularity import in_cone
 from freecad_fiveaxis.core.nc.writer import write_nc
-from freecad_fiveaxis.core.tool.body import seen_from
+from freecad_fiveaxis.core.tool.body import lower_body
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .context import JobContext, MillContext
-from .options import driven_to_surface, kept_off, nc_title, post_options, tip_to_driven
+from .options import choose_rapid_body, compute_driven_to_surface, nc_title, post_options, tip_to_driven
 from .programs import PostedProgram
 from .safe_start import find_spindle_off, start_findings, start_plane
 
@@ -27,9 +27,9 @@ def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath
     up."""
     settings, kinematics = context.settings, context.kinematics
     clearance, radius = settings.links.clearance, settings.cutter.cutter.radius
-    tool = seen_from(kept_off(settings), tip_to_driven(settings))
+    tool = lower_body(choose_rapid_body(settings), tip_to_driven(settings))
     blocked = (
-        context.bodies.blocked if isinstance(context, MillContext) and context.bodies is not None else None
+        context.bodies.is_blocked if isinstance(context, MillContext) and context.bodies is not None else None
     )
     joints = solve(path, kinematics, *context.box, clearance, radius, context.progress, tool, blocked)
     if settings.cure.linearize == "on":
@@ -38,11 +38,13 @@ def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath
         near = in_cone(kinematics, q_to_words(joints.q), context.machine.singular_cone)
     else:
         return joints
-    above, tolerance = driven_to_surface(settings), settings.proof.tolerance - entering
+    above, tolerance = compute_driven_to_surface(settings), settings.proof.tolerance - entering
     return linearize(joints, kinematics, context.dialect, tolerance, near, context.progress, above)
 
 
-def posted(context: JobContext, path: CLPath, joints: JointPath, found: tuple[Finding, ...]) -> PostedProgram:
+def post_path(
+    context: JobContext, path: CLPath, joints: JointPath, found: tuple[Finding, ...]
+) -> PostedProgram:
     """Return the program and its NC file. ``found``: what the stages before have found."""
     settings, machine, kinematics, dialect = (
         context.settings,

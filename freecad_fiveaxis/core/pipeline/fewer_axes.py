@@ -50,7 +50,7 @@ def what_needs_more_axes(settings: Settings, machine: Machine) -> SettingsError 
         _cures(settings, machine),
         _leaning(settings, machine),
         _flank(settings, machine),
-        _guided(settings, machine),
+        _refuse_guiding(settings, machine),
     )
     return next((SettingsError(*one) for one in refused if one), None)
 
@@ -143,7 +143,7 @@ def _flank(settings: Settings, machine: Machine) -> tuple[str, object] | None:
     ), machine.rotaries
 
 
-def _guided(settings: Settings, machine: Machine) -> tuple[str, object] | None:
+def _refuse_guiding(settings: Settings, machine: Machine) -> tuple[str, object] | None:
     if machine.rotaries or settings.task not in (MILL, POST) or settings.head.rtcp == "off":
         return None
     return say(

@@ -47,25 +47,25 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 from .advice import add_advice
 from .avoided import check_keep_off
 from .collision_avoidance import (
-    allowed,
+    check_for_gouges,
+    compute_allowed_rest,
+    compute_unfinished_share,
     cutting,
-    entered,
     enters_table,
     find_rest_of_program,
     rest_material_findings,
     still_true,
-    unfinished_share,
 )
 from .context import JobContext
-from .driving import drive, posted
+from .driving import drive, post_path
 from .fewer_axes import suit_tool_axis
 from .in_machine import check_bodies, look_in_machine, over_tip
 from .mill_context import mill_context
 from .milling import mill
 from .options import (
     cl_reading,
-    driven_to_hub,
-    driven_to_surface,
+    compute_driven_to_hub,
+    compute_driven_to_surface,
     machine_of,
     post_options,
     rapids_of,
@@ -80,7 +80,7 @@ from .over_table import table_looked_at
 from .part_size import unit_suspected
 from .programs import MilledProgram, PostedProgram, ProgramDraft, Result
 from .rotary_axis import settle_rotary_axis
-from .safe_start import started
+from .safe_start import add_safe_start
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 
 
@@ -114,7 +114,7 @@ def make(
         find_strategy(settings.tool_axis.tool_axis)
         find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
-        mesh, faces, avoided, reports = chosen_faces(settings, mesh, faces, progress)
+        mesh, faces, avoided, reports = choose_facets(settings, mesh, faces, progress)
         settings = settle_rotary_axis(settings, kinematics, mesh)
         context, left_out = mill_context(
             settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided
@@ -163,7 +163,7 @@ class ChosenFaces(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> ChosenFaces:
+def choose_facets(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> ChosenFaces:
     """Find the facets to cut: those chosen already, else those on the faces that the settings name; without
     those on faces to be avoided. Where these are known already they have an allowance, and are not among the
     ``faces``. Raises FiveAxisError."""
@@ -200,7 +200,7 @@ def _configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -
     """Return the dialect as it is to be written: safe start, high-speed mode, tip guided. Raises
     SettingsError, before the long work, for what the controller has not, and for a head that cannot be
     written."""
-    dialect = started(dialect, machine)
+    dialect = add_safe_start(dialect, machine)
     dialect = dialect.fast() if settings.head.high_speed == "on" else dialect
     dialect = dialect if settings.head.rtcp == "off" else dialect.guide_by(settings.head.rtcp)
     slot_texts(dialect, "", post_options(settings), inverse_time=False)
@@ -223,7 +223,7 @@ def post(
     found = path.findings + (
         cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter)
     )
-    return replace(posted(context, path, drive(context, path), found), fixtures=fixtures)
+    return replace(post_path(context, path, drive(context, path), found), fixtures=fixtures)
 
 
 def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = None) -> Result:
@@ -234,14 +234,14 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
     Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks'
     ends.
     """
-    against, settings = _compared(draft.settings, progress) if part is None else (part, draft.settings)
+    against, settings = _read_reference(draft.settings, progress) if part is None else (part, draft.settings)
     draft = draft if settings is draft.settings else replace(draft, settings=settings)
     proof, words = settings.proof, draft.program.words
     deviation = measure(draft.kinematics, words, proof.method, progress)
     if (guided := draft.program.guided) is not None:
         deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(draft.kinematics, words, draft.machine.singular_cone)
-    surface = surface_deviation(draft, driven_to_surface(draft.settings), progress)
+    surface = surface_deviation(draft, compute_driven_to_surface(draft.settings), progress)
     judged = judge(
         draft.kinematics,
         draft.program,
@@ -258,7 +258,7 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
     found = still_true(draft.findings, gouge) + deviation.findings + entries + hit + judged
     if draft.settings.task != AUDIT:
         return Result(draft, deviation, singularity, found, gouge=gouge, rest=rest, surface=surface)
-    audited = _audited(draft, deviation, against, progress)
+    audited = _audit_draft(draft, deviation, against, progress)
     of_path = tuple(of_cl_file(one) for one in against.findings) if isinstance(against, CLPath) else ()
     return Result(draft, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
 
@@ -274,7 +274,7 @@ def surface_deviation(draft: ProgramDraft, above: float, progress: Progress = si
     return measure_above(draft.kinematics, program.words, above, decimals, method, progress)
 
 
-def _audited(
+def _audit_draft(
     draft: ProgramDraft, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress
 ) -> Audit:
     """Limits and rates (of a program made here they hold by its making), and the comparison that the settings
@@ -282,7 +282,7 @@ def _audited(
     settings, proof = draft.settings, draft.settings.proof
     gouge = settings.gouge
     body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
-    above = driven_to_surface(settings)
+    above = compute_driven_to_surface(settings)
     rapids = rapids_of(settings, draft.machine, draft.dialect)
     options = AuditOptions(
         proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids
@@ -290,7 +290,7 @@ def _audited(
     return audit_program(draft.kinematics, draft.program, deviation, against, options, progress)
 
 
-def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | None, Settings]:
+def _read_reference(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | None, Settings]:
     """Return the CL path or the part that a program is audited against, and the settings with the cutter of a
     CL file where they have none of their own. Raises FiveAxisError where it cannot be read."""
     path = settings.audit.against
@@ -310,7 +310,7 @@ def _against_part(
     if not isinstance(draft, MilledProgram):
         return None, None, ()
     context, program = draft.context(progress), draft.program
-    gouge, low = entered(context, program), enters_table(context, program)
+    gouge, low = check_for_gouges(context, program), enters_table(context, program)
     rest = (
         find_rest_of_program(context, program)
         if draft.settings.gouge.rest == "on" and len(cutting(program.motion))
@@ -341,7 +341,7 @@ def _contacts(draft: MilledProgram) -> Contacts | None:
     cutter, offset = draft.settings.cutter.cutter, draft.offset
     if not cutter.touches_as_ball:
         return None
-    above = driven_to_hub(draft.settings)
+    above = compute_driven_to_hub(draft.settings)
     return contacts_of(
         offset.centre, offset.normal, draft.axis, offset.face, draft.mesh, cutter.corner, above
     )
@@ -367,11 +367,11 @@ def figures(result: Result) -> Figures:
         tolerance=draft.settings.proof.tolerance, findings=result.findings,
         inputs=flat_options(draft.settings),
         surface=result.surface, audit=result.audit, gouge=result.gouge, rest=result.rest,
-        allowed=allowed(draft.settings, draft.mesh, draft.keep) if result.rest and isinstance(draft,
-            MilledProgram) else 0.0,
+        allowed=compute_allowed_rest(draft.settings, draft.mesh, draft.keep)
+        if result.rest and isinstance(draft, MilledProgram) else 0.0,
         mesh=draft.mesh if isinstance(draft, MilledProgram) else None,
-        unfinished=unfinished_share(result.findings, draft.mesh, draft.keep) if isinstance(draft,
-            MilledProgram) else 0.0,
+        unfinished=compute_unfinished_share(result.findings, draft.mesh, draft.keep)
+        if isinstance(draft, MilledProgram) else 0.0,
         contacts=contacts, stand=_stand(draft, contacts) if isinstance(draft, MilledProgram) else 0.0,
         rapids=rapids_of(draft.settings, draft.machine, draft.dialect),
         table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft,

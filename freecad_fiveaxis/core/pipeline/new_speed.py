@@ -45,10 +45,10 @@ def change_speed(result: Result, settings: Settings, progress: Progress = silent
     kept = tuple(one for one in draft.findings if one not in old)
     others = tuple(one for one in result.findings if one not in old)
     draft = replace(draft, nc=nc, findings=kept + new)
-    return replace(result, draft=draft, findings=_inserted(others, kept, new))
+    return replace(result, draft=draft, findings=_insert_findings(others, kept, new))
 
 
-def _inserted(
+def _insert_findings(
     others: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]
 ) -> tuple[Finding, ...]:
     """Put the ``new`` one about the spindle among the ``others`` of the whole job, behind those ``kept`` of

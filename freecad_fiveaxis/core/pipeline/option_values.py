@@ -64,7 +64,7 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
             say(
                 "{name} {given} is out of range; {range}",
                 name=name,
-                given=_shown(given, rules),
+                given=_show_value(given, rules),
                 range=_range_text(rules),
             ),
             given,
@@ -72,7 +72,7 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
     return value
 
 
-def _shown(given: Any, rules: Mapping[str, Any]) -> Any:
+def _show_value(given: Any, rules: Mapping[str, Any]) -> Any:
     """Return a number with its unit; a text as it was given."""
     unit = UNITS.get(rules["kind"], "")
     return measure(given, unit, "", bare=True) if isinstance(given, float) and unit else str(given)

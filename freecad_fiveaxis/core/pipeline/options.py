@@ -46,7 +46,7 @@ UPRIGHT = (0.0, 0.0, 1.0)
 
 def machine_of(settings: Settings) -> tuple[Machine, Chain, Dialect]:
     """Return the machine, its chain with the part where it stands, and its dialect. Raises FiveAxisError."""
-    machine, setup, dialect = clamped(settings)
+    machine, setup, dialect = load_setup(settings)
     return machine, chain(machine, setup), dialect
 
 
@@ -78,7 +78,7 @@ def rapids_of(settings: Settings, machine: Machine, dialect: Dialect) -> str:
     return (machine.rapids or dialect.rapids) if wanted == AS_MACHINE else wanted
 
 
-def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
+def load_setup(settings: Settings) -> tuple[Machine, Setup, Dialect]:
     """Return the machine, where the part stands on it, and its dialect."""
     machine = load_machine(settings.machine.machine)
     refuse_what_needs_more_axes(settings, machine)
@@ -105,7 +105,7 @@ def resolve_setup(settings: Settings, machine: Machine) -> tuple[Machine, Setup,
     return machine, Setup(machine.origin if given.origin is None else given.origin, length), dialect
 
 
-def wanted_scallop(settings: Settings) -> float | None:
+def read_scallop(settings: Settings) -> float | None:
     """Return the scallop asked for, mm; None where a stepover is."""
     passes = settings.passes
     return DEFAULT_SCALLOP if passes.scallop is None and passes.stepover is None else passes.scallop
@@ -117,7 +117,7 @@ def pass_options(settings: Settings) -> PassOptions:
     return PassOptions(
         passes.direction,
         passes.stepover,
-        wanted_scallop(settings),
+        read_scallop(settings),
         passes.least_interval,
         passes.plane_normal,
         passes.from_,
@@ -154,9 +154,9 @@ def axis_corrections(context: MillContext) -> AxisCorrectionOptions:
     """Options of the corrections of tool axes."""
     settings = context.settings
     return AxisCorrectionOptions(
-        driven_to_hub(settings), settings.cutter.cutter.ring, settings.feeds.feed, settings.proof.tolerance,
-        settings.tool_axis.max_tilt, settings.cure.max_axis_change, axis_options(settings),
-        _part_to_cut(context),
+        compute_driven_to_hub(settings), settings.cutter.cutter.ring, settings.feeds.feed,
+        settings.proof.tolerance, settings.tool_axis.max_tilt, settings.cure.max_axis_change,
+        axis_options(settings), _part_to_cut(context),
     )  # fmt: skip
 
 
@@ -195,30 +195,30 @@ def tool_body(settings: Settings) -> Body:
     return body_of(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
 
 
-def kept_off(settings: Settings) -> Body:
+def choose_rapid_body(settings: Settings) -> Body:
     """Return what of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be
     looked at (gouge ``off``) the cutter alone, so that shank and holder are only drawn."""
     only_cutter = settings.task == MILL and settings.gouge.gouge == "off"
     return body_of(settings.cutter.cutter) if only_cutter else tool_body(settings)
 
 
-def driven_to_hub(settings: Settings) -> float:
+def compute_driven_to_hub(settings: Settings) -> float:
     """From the driven point to the hub (the ball's centre), mm."""
     return settings.cutter.cutter.corner if settings.machine.control_point == "tip" else 0.0
 
 
 def tip_to_driven(settings: Settings) -> float:
     """How far above the tip the point lies that the words drive, mm."""
-    return settings.cutter.cutter.corner - driven_to_hub(settings)
+    return settings.cutter.cutter.corner - compute_driven_to_hub(settings)
 
 
-def driven_to_surface(settings: Settings) -> float:
+def compute_driven_to_surface(settings: Settings) -> float:
     """How far above the driven point, mm, that point stands whose way makes the surface: of a ball that is
     known to cut its centre, of any other cutter, and where the controller guides the tip, the driven point
     itself."""
     known = settings.task == MILL or "cutter" in settings.explicit
     return (
-        driven_to_hub(settings)
+        compute_driven_to_hub(settings)
         if known and settings.cutter.cutter.touches_as_ball and settings.head.rtcp == "off"
         else 0.0
     )
@@ -226,7 +226,7 @@ def driven_to_surface(settings: Settings) -> float:
 
 def tip_to_surface(settings: Settings) -> float:
     """Return the same from the tip, mm: the point so far above it goes straight."""
-    return tip_to_driven(settings) + driven_to_surface(settings)
+    return tip_to_driven(settings) + compute_driven_to_surface(settings)
 
 
 def post_options(settings: Settings) -> PostOptions:

@@ -10,8 +10,8 @@ from freecad_fiveaxis.core.passes import Division, Region, cut, find_pass_strate
 from freecad_fiveaxis.core.toolpath.cl_offset import corner_radius
 from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 
-from .avoided import kept_off_faces
-from .bounded import bounded
+from .avoided import cut_clear_of_faces
+from .bounded import cut_to_boundary
 from .context import MillContext
 from .options import pass_options
 from .records import OffsetContacts, PlannedPasses
@@ -43,9 +43,9 @@ def offset_contacts(context: MillContext, passes: PlannedPasses) -> OffsetContac
 
 def keep_within_boundary(context: MillContext, passes: OffsetContacts) -> OffsetContacts:
     """Cut the passes at the boundary, where there is one."""
-    return replace(passes, offset=bounded(context, passes.offset))
+    return replace(passes, offset=cut_to_boundary(context, passes.offset))
 
 
 def keep_off_faces(context: MillContext, passes: OffsetContacts) -> OffsetContacts:
     """Cut the passes where the tool would come nearer to faces to avoid than their allowance."""
-    return replace(passes, offset=kept_off_faces(context, passes.offset))
+    return replace(passes, offset=cut_clear_of_faces(context, passes.offset))

@@ -36,13 +36,13 @@ from freecad_fiveaxis.core.passes.scallop import flat_interval
 from freecad_fiveaxis.core.toolpath.cl_offset import cl_offset_path
 
 from .avoided import facets_off, keep_off_of
-from .bounded import boundary_of, bounded_by_hub, facets_inside
+from .bounded import boundary_of, cut_by_hub, facets_inside
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis, suit_tool_axis
-from .job import chosen_faces
+from .job import choose_facets
 from .machine_around import bodies_in_pose
 from .mill_context import find_region, find_standing
-from .options import machine_of, reacher_of, wanted_scallop
+from .options import machine_of, reacher_of, read_scallop
 from .over_table import AUTO, largest_axis_angle
 from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
 from .records import PlannedPasses
@@ -102,7 +102,7 @@ def preview_passes(
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     find_pass_strategy(settings.passes.passes)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    mesh, faces, avoided, reports = chosen_faces(settings, mesh, faces, progress)
+    mesh, faces, avoided, reports = choose_facets(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress, keep_off_of(settings, mesh, avoided))
     context, one_in = _sparser(context)
     passes = plan_passes(context, find_region(context.settings, mesh, context.keep, progress, context.frames))
@@ -116,7 +116,7 @@ def _sparser(context: MillContext) -> tuple[MillContext, int]:
     """With passes as far apart as every k-th of those asked for, and k: 1 where they are few, or a stepover
     gives their distance, which takes no time. On a flat a scallop between passes s apart is ``r - sqrt(r^2 -
     s^2 / 4)``, ``r`` the cutter's radius."""
-    scallop, radius = wanted_scallop(context.settings), context.settings.cutter.cutter.radius
+    scallop, radius = read_scallop(context.settings), context.settings.cutter.cutter.radius
     if scallop is None or scallop >= HIGHEST * radius:
         return context, 1
     interval = flat_interval(radius, scallop)
@@ -186,7 +186,7 @@ def _within_boundary(context: MillContext, passes: PlannedPasses) -> Columns:
         and not cutter.cutter.touches_as_ball
     ):
         seated, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)
-        offset, _ = bounded_by_hub(context, seated, axis)
+        offset, _ = cut_by_hub(context, seated, axis)
     return offset.point, offset.polyline, offset.pass_
 
 

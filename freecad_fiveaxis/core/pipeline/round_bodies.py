@@ -38,7 +38,7 @@ def keep_links_off_bodies(context: MillContext, solved: SolvedJoints) -> SolvedJ
     raised = raise_links(solved.joints, kinematics, _hits(context, given), settings.links.clearance)
     if not len(raised.row):
         return solved
-    found = (*_raised_finding(raised), *_no_way_finding(context, given, raised))
+    found = (*_report_raised(raised), *_no_way_finding(context, given, raised))
     joints = raised.joints
     return replace(solved, joints=replace(joints, findings=(*joints.findings, *found)))
 
@@ -72,7 +72,7 @@ def _hits(context: MillContext, given: InMachine) -> Hits:
     return hits
 
 
-def _raised_finding(raised: Raised) -> tuple[Finding, ...]:
+def _report_raised(raised: Raised) -> tuple[Finding, ...]:
     """How many links were raised, and by how much at most."""
     if not raised.height.any():
         return ()

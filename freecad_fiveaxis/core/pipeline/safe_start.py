@@ -21,11 +21,11 @@ from freecad_fiveaxis.core.motion.program import Program, plane_above, upwards, 
 from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 
 from .context import Box, JobContext
-from .options import kept_off, tip_to_driven
+from .options import choose_rapid_body, tip_to_driven
 from .settings import Settings
 
 
-def started(dialect: Dialect, machine: Machine) -> Dialect:
+def add_safe_start(dialect: Dialect, machine: Machine) -> Dialect:
     """Return the dialect with the machine's safe start and end."""
     table = [axis.direction for axis in machine.rotary if axis.side == "table"]
     return with_start(
@@ -40,7 +40,7 @@ def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Fin
     if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
         return 0.0, ()
     widest = max(
-        max(piece.low_radius, piece.high_radius) + piece.round for piece in kept_off(settings).pieces
+        max(piece.low_radius, piece.high_radius) + piece.round for piece in choose_rapid_body(settings).pieces
     )
     body = widest if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
     margin = settings.links.clearance + tip_to_driven(settings) + body

@@ -18,10 +18,10 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.tool.body import CUTTER
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .collision_avoidance import commanded_motion, uncut_by_cure
+from .collision_avoidance import compute_commanded_motion, uncut_by_cure
 from .context import MillContext
-from .driving import drive, posted
-from .options import driven_to_surface, rapids_of, tip_to_driven, tool_body
+from .driving import drive, post_path
+from .options import compute_driven_to_surface, rapids_of, tip_to_driven, tool_body
 from .programs import MilledProgram
 from .records import LinkedPath, SolvedJoints
 
@@ -48,7 +48,7 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
         rows = _entering(context, path, joints, wanted)
         if not len(rows):
             break
-        path = _halved(path, rows, driven_to_surface(settings))
+        path = _halve_blocks(path, rows, compute_driven_to_surface(settings))
         joints = drive(context, path, entering)
         fresh = rows + np.arange(len(rows))
         wanted = np.union1d(
@@ -73,11 +73,11 @@ def _entering(context: MillContext, path: CLPath, joints: JointPath, wanted: Int
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, fed, progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]
-    commanded = commanded_motion(settings, path)
+    commanded = compute_commanded_motion(settings, path)
     return rows[~which_enter(cutter, tree, commanded, limit, rows - 1, progress)[rows - 1]]
 
 
-def _halved(path: CLPath, rows: Ints, above: float = 0.0) -> CLPath:
+def _halve_blocks(path: CLPath, rows: Ints, above: float = 0.0) -> CLPath:
     """Return the path with a row half-way to each of these rows (k,), of which it takes all but its place and
     axis; the point ``above`` mm over the driven one goes straight."""
     pose = straight_motion(path.tip, path.axis, above).pose(rows - 1, np.full(len(rows), 0.5))
@@ -107,7 +107,7 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
     uncut = uncut_by_cure(context, solved.path) if solved.cured else ()
-    program = posted(context, solved.path, solved.joints, found + uncut)
+    program = post_path(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,
         keep=context.keep,

@@ -177,7 +177,7 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
     first = turning[0]
     up, radius = (
         _upwards(kinematics, first, turning[1:], part),
-        max(_swept_radius(kinematics, first, part), least),
+        max(_compute_swept_radius(kinematics, first, part), least),
     )
     if len(turning) > 1:
         line = _nearest(
@@ -234,7 +234,7 @@ def _upwards(kinematics: Chain, first: int, others: list[int], part: Floats) -> 
     return np.asarray(axis if away @ axis >= 0.0 else -axis)
 
 
-def _swept_radius(kinematics: Chain, axis: int, part: Floats) -> float:
+def _compute_swept_radius(kinematics: Chain, axis: int, part: Floats) -> float:
     """Return the radius of a platter that has room for the part."""
     offset = part - _point(kinematics, axis)
     across = offset - (offset @ kinematics.direction[axis])[:, None] * kinematics.direction[axis]

@@ -54,7 +54,7 @@ def part_numbers(
         numbers_of["max_left"] = float(rest.height.max())
         numbers_of["left_area"], numbers_of["left_volume"] = rest.uncut(allowed)
         numbers_of["max_too_deep"] = max(-float(rest.height.min()), 0.0)
-        numbers_of["too_deep_area"], numbers_of["too_deep_volume"] = rest.taken(tolerance)
+        numbers_of["too_deep_area"], numbers_of["too_deep_volume"] = rest.sum_overcut(tolerance)
         numbers_of["machined_area"] = float(rest.area.sum())
     return numbers_of
 
@@ -99,7 +99,7 @@ def rest_report(program: Program, rest: RestMaterial, tolerance: float, allowed:
         "most_left": _extreme(program, rest, int(rest.height.argmax())),
         "most_too_deep": _extreme(program, rest, int(rest.height.argmin())),
         "left": dict(zip(("area", "volume"), rest.uncut(allowed), strict=True)),
-        "too_deep": dict(zip(("area", "volume"), rest.taken(tolerance), strict=True)),
+        "too_deep": dict(zip(("area", "volume"), rest.sum_overcut(tolerance), strict=True)),
         "histogram": histogram(rest, height_scale(rest, tolerance, allowed)),
     }
 

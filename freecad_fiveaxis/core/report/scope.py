@@ -42,13 +42,13 @@ class Scope(NamedTuple):
 def scope(figures: Figures, numbers: Mapping[str, Any]) -> Scope:
     """Find what stands behind the verdict; ``numbers``: the summary."""
     return Scope(
-        tuple(_proven(figures, numbers)),
+        tuple(_state_proven(figures, numbers)),
         tuple(_state_assumptions(figures, numbers)),
         tuple(_unknown(figures)),
     )
 
 
-def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
+def _state_proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     measured = numbers["feed_blocks"] - numbers["guided_blocks"]
     if held := measured - numbers["over_tolerance"] - numbers["unproven"]:
         yield plural(

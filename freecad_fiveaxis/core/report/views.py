@@ -244,16 +244,16 @@ def _draw_sphere(axes: Any, path: Floats, spots: Floats, cone: float, letter: st
     for line in _graticule():
         _draw_on_sphere(axes, line, "#b0b0b0", 0.6)
     rim = _ring(cone)
-    flat, front = _seen(rim)
+    flat, front = _project_points(rim)
     if front.all():
         axes.fill(*flat.T, color=ORANGE, alpha=0.28, lw=0)
     _draw_on_sphere(axes, rim, ORANGE, 1.2)
     outline = np.linspace(0.0, 2.0 * np.pi, 181)
     axes.plot(np.cos(outline), np.sin(outline), color=GREY, lw=0.9)
     _draw_on_sphere(axes, path, BLUE, 0.9)
-    dots, front = _seen(spots)
+    dots, front = _project_points(spots)
     axes.plot(*dots[front].T, ".", color=RED, ms=4, label="blocks near the pole")
-    top = _seen(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, 1.25]]))[0]
+    top = _project_points(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, 1.25]]))[0]
     axes.annotate("", top[1], top[0], arrowprops={"arrowstyle": "->", "color": "#333333", "lw": 1.2})
     axes.annotate(f"{letter} axis", top[1], (4, 0), textcoords="offset points", color="#333333")
     axes.set_aspect("equal")
@@ -262,12 +262,12 @@ def _draw_sphere(axes: Any, path: Floats, spots: Floats, cone: float, letter: st
 
 
 def _draw_on_sphere(axes: Any, line: Floats, colour: str, width: float) -> None:
-    flat, front = _seen(line)
+    flat, front = _project_points(line)
     axes.plot(*np.where(front[:, None], np.nan, flat).T, color=colour, lw=0.6 * width, alpha=0.3)
     axes.plot(*np.where(front[:, None], flat, np.nan).T, color=colour, lw=width)
 
 
-def _seen(points: Floats) -> tuple[Floats, Bools]:
+def _project_points(points: Floats) -> tuple[Floats, Bools]:
     """Where points (k, 3) of the sphere stand in the picture (k, 2), and which are on the near side (k,)."""
     (ca, sa), (ce, se) = ((math.cos(angle), math.sin(angle)) for angle in VIEW)
     right, up, towards = np.array([(-sa, ca, 0.0), (-se * ca, -se * sa, ce), (ce * ca, ce * sa, se)])

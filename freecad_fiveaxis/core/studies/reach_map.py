@@ -110,19 +110,25 @@ def reach_map(
     ground, normal, tilts = Ground(reacher, joined), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
     parts = list(_split_places(point, normal, BATCH if executor else len(point)))
     tried = spread(
-        _try_all, ground, parts, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in parts]
+        _try_all,
+        ground,
+        parts,
+        executor,
+        _scale_progress(progress, 0.0, tilts),
+        "reach",
+        [len(one) for one in parts],
     )
     obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))
     held = np.flatnonzero((obstacle == Obstacle.HOLDER) | (obstacle == Obstacle.MACHINE))
     rows = held[:: max(1, len(held) // TRIED)]
     parts = list(_split_places(point[rows], normal[rows], FEW if executor else len(rows)))
-    scaled = _scaled(progress, tilts, 1.0)
+    scaled = _scale_progress(progress, tilts, 1.0)
     steps = spread(_try_longer, ground, parts, executor, scaled, "reach", [len(one) for one in parts])
-    longer = tuple(_reached(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
+    longer = tuple(_estimate_reach(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
     return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
 
 
-def _scaled(progress: Progress, first: float, last: float) -> Progress:
+def _scale_progress(progress: Progress, first: float, last: float) -> Progress:
     return lambda stage, fraction: progress(stage, first + (last - first) * fraction)
 
 
@@ -180,7 +186,9 @@ def _try_longer(ground: Ground, places: Places, progress: Progress) -> Ints:
     for k, more in enumerate(LONGER):
         rows = np.flatnonzero(step == none)
         longer = stick_out_farther(reacher, more)
-        met, _, _ = _set_on(longer, ground.tree, places, rows, _scaled(progress, k / none, (k + 1) / none))
+        met, _, _ = _set_on(
+            longer, ground.tree, places, rows, _scale_progress(progress, k / none, (k + 1) / none)
+        )
         step[met == Obstacle.NONE] = k
     return step
 
@@ -221,7 +229,7 @@ def _try(
 ) -> None:  # fmt: skip
     """Set the tool on the ``open_`` places (k,) with all axes of that angle; what is found goes into
     obstacle, tilt and axis."""
-    turned = tried_axes(normal[open_], angle, reacher.cutter.ring)
+    turned = choose_trial_axes(normal[open_], angle, reacher.cutter.ring)
     ways = turned.shape[1]
     place, turned = np.repeat(open_, ways), turned.reshape(-1, 3)
     met = obstacles(reacher, tree, point[place], normal[place], turned).reshape(-1, ways)
@@ -233,16 +241,16 @@ def _try(
     axis[open_[free]] = turned.reshape(-1, ways, 3)[np.flatnonzero(free), best[free]]
 
 
-def tried_axes(normal: Floats, angle: float, ring: float) -> Floats:
+def choose_trial_axes(normal: Floats, angle: float, ring: float) -> Floats:
     """Return unit axes (n, ways, 3) of that angle (rad) to unit ``normal`` (n, 3). Upright, a bottom with a
     ``ring`` (mm) may touch with its middle or with its edge on any side."""
     if angle > 0.0:
-        return tilted_axes(normal, angle, SPOKES)
-    edges = [tilted_axes(normal, UPRIGHT, SPOKES)] if ring > 0.0 else []
+        return tilt_about_normal(normal, angle, SPOKES)
+    edges = [tilt_about_normal(normal, UPRIGHT, SPOKES)] if ring > 0.0 else []
     return np.concatenate([normal[:, None], *edges], axis=1)
 
 
-def tilted_axes(normal: Floats, angle: float, ways: int) -> Floats:
+def tilt_about_normal(normal: Floats, angle: float, ways: int) -> Floats:
     """Return unit axes (n, ways, 3) that make this angle (rad) with unit ``normal`` (n, 3), evenly about
     it."""
     least = np.eye(3)[np.abs(normal).argmin(axis=1)]
@@ -254,7 +262,7 @@ def tilted_axes(normal: Floats, angle: float, ways: int) -> Floats:
     return np.asarray(math.cos(angle) * normal[:, None] + math.sin(angle) * out)
 
 
-def _reached(area: Floats, held: Ints, rows: Ints, step: Ints) -> Iterator[tuple[float, float]]:
+def _estimate_reach(area: Floats, held: Ints, rows: Ints, step: Ints) -> Iterator[tuple[float, float]]:
     """How far the tool would have to stick out at most, mm, and the area, mm2, that it reaches then of the
     places ``held``, where only holder or machine are in the way: an estimate from ``rows``, of which ``step``
     is the first of LONGER that helps. A shank as wide as the one there is, or as the cutter, fills the

@@ -38,11 +38,11 @@ from freecad_fiveaxis.core.pipeline.bounded import boundary_of, facets_inside
 from freecad_fiveaxis.core.pipeline.context import JobContext
 from freecad_fiveaxis.core.pipeline.driving import drive
 from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis, what_needs_more_axes
-from freecad_fiveaxis.core.pipeline.job import chosen_faces, make
+from freecad_fiveaxis.core.pipeline.job import choose_facets, make
 from freecad_fiveaxis.core.pipeline.machine_around import bodies_in_pose
 from freecad_fiveaxis.core.pipeline.options import (
-    clamped,
-    driven_to_surface,
+    compute_driven_to_surface,
+    load_setup,
     rapids_of,
     resolve_setup,
     tip_to_driven,
@@ -57,7 +57,7 @@ from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
-from .corrections import cures, known_cures
+from .corrections import check_cures, cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
 from .setup_map import (
@@ -136,7 +136,7 @@ def try_reach(
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    mesh, faces, avoided, remarks = chosen_faces(settings, mesh, faces, progress)
+    mesh, faces, avoided, remarks = choose_facets(settings, mesh, faces, progress)
     boundary, keep_off = boundary_of(settings), keep_off_of(settings, mesh, avoided)
     inside, outside = facets_inside(settings, boundary, mesh, faces)
     inside, near = facets_off(keep_off, mesh, inside)
@@ -176,12 +176,12 @@ def try_setups(
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
     job = suit_tool_axis(_job_settings(settings), load_machine(settings.machine.machine))
-    machine, base, dialect = clamped(
+    machine, base, dialect = load_setup(
         replace(job, task=SETUP)
     )  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
-    program = _posted(job, progress, mesh, faces, fixtures)
+    program = _post_job(job, progress, mesh, faces, fixtures)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
     collide = _collide(job, machine, dialect, progress)
@@ -208,7 +208,7 @@ def try_machines(
     Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long
     work; and what the first machine says where none can cut the path.
     """
-    names, wanted = settings.compare.machines, known_cures(settings.compare.cures)
+    names, wanted = settings.compare.machines, check_cures(settings.compare.cures)
     if not names:
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
     machines = [load_machine(name) for name in names]
@@ -237,7 +237,7 @@ def _draft_for_first(
     for job, why in zip(each_settings, refused, strict=True):
         try:
             if why is None:
-                return _posted(job, progress, mesh, faces, fixtures)
+                return _post_job(job, progress, mesh, faces, fixtures)
             problems.append(why)
         except ReachError as error:
             problems.append(error)
@@ -251,7 +251,7 @@ def _job_settings(settings: Settings, machine: str = "") -> Settings:
     return replace(settings, task=task, machine=given)
 
 
-def _posted(
+def _post_job(
     job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None,
     fixtures: tuple[Fixture, ...] | None = None,
 ) -> PostedProgram:  # fmt: skip
@@ -322,7 +322,7 @@ def _posting(settings: Settings, program: PostedProgram, dialect: Dialect) -> Po
         settings.links.clearance,
         settings.cutter.cutter.radius,
         part,
-        driven_to_surface(program.settings),
+        compute_driven_to_surface(program.settings),
     )
 
 

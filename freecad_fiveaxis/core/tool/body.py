@@ -183,7 +183,7 @@ def _plus(column: Floats, *more: Floats | float) -> Floats:
     return column
 
 
-def seen_from(body: Body, height: float) -> Body:
+def lower_body(body: Body, height: float) -> Body:
     """Count the heights of the body from ``height`` mm above the tip: its supports are then from the point
     there."""
     return Body(

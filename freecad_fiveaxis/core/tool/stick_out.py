@@ -66,12 +66,12 @@ def clamp_tool(stack: Stack, length: float) -> Stack:
     if more > 0.0:
         *below, top = stack.shank or ((2.0 * stack.cutter.top_radius, 0.0),)
         return stack._replace(shank=(*below, (top[0], top[1] + more)))
-    shank, left = _shortened(stack.shank, -more)
+    shank, left = _shorten_shank(stack.shank, -more)
     cutter = stack.cutter if left <= 0.0 else replace(stack.cutter, length=stack.cutter.length - left)
     return stack._replace(cutter=cutter, shank=shank)
 
 
-def _shortened(shank: Iterable[Cylinder], by: float) -> tuple[tuple[Cylinder, ...], float]:
+def _shorten_shank(shank: Iterable[Cylinder], by: float) -> tuple[tuple[Cylinder, ...], float]:
     """Return the shank without its upper ``by`` mm, and what of these it has not."""
     kept = list[Cylinder]()
     for diameter, length in reversed(tuple(shank)):

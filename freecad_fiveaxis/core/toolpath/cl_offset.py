@@ -103,7 +103,7 @@ def cl_offset_path(
     """
     if cutter.touches_as_ball or not len(axis):
         return path, axis
-    path, axis = _swung(*_divide_turns(path, axis, cutter, tolerance), cutter, tolerance)
+    path, axis = _swing_hubs(*_divide_turns(path, axis, cutter, tolerance), cutter, tolerance)
     hub = hub_positions(path, axis, cutter.ring, cutter.barrel)
     seated = replace(path, centre=hub, findings=path.findings + _findings_of(path, hub, axis, cutter))
     rows = np.flatnonzero(~_stands_still(seated, axis))
@@ -144,7 +144,9 @@ def _divide_turns(
     return rows_between(path, axis, pieces, cutter.ring, cutter.barrel)[:2]
 
 
-def _swung(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
+def _swing_hubs(
+    path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float
+) -> tuple[OffsetPath, Floats]:
     """Rows put between those that close a gap over an edge, where the hub swings round the contact.
 
     Where an edge crosses the level bottom's plane aslant, the normal passes the axis at its side, and out

@@ -97,7 +97,7 @@ def goes_on(polyline: Ints) -> Bools:
 def _find_nodes(path: OffsetPath, boundary: Boundary, by_centre: bool) -> Nodes:
     """All rows and crossings in the order of the path. Moves that close a gap have no contact on their
     way."""
-    place = boundary.seen(path.centre if by_centre else path.point)
+    place = boundary.project(path.centre if by_centre else path.point)
     end = np.flatnonzero(goes_on(path.polyline))
     solid = end if by_centre else end[~path.fill[end]]
     piece, share = boundary.curves.crossings(place[solid - 1], place[solid])

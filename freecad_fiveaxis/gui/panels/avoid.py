@@ -59,7 +59,7 @@ class AvoidField(Field):
         from freecad_fiveaxis.app.selection import is_mesh
 
         if self.base is None:
-            self.show_note(_gone())
+            self.show_note(_explain_deletion())
         elif is_mesh(self.base):
             text = translate(
                 "FiveAxis",
@@ -91,7 +91,9 @@ class AvoidField(Field):
         try:
             found = selection.faces_of(self.base, chosen)
         except (selection.SelectionError, ReferenceError) as error:
-            self.show_error(_gone() if isinstance(error, ReferenceError) else wording.localize(error))
+            self.show_error(
+                _explain_deletion() if isinstance(error, ReferenceError) else wording.localize(error)
+            )
             return
         self._take([*self.value(), *(name for name in found if name not in self.value())])
 
@@ -137,5 +139,5 @@ class AvoidField(Field):
         self._fit()
 
 
-def _gone() -> str:
+def _explain_deletion() -> str:
     return translate("FiveAxis", "The part was deleted meanwhile: press Cancel, and select another one.")

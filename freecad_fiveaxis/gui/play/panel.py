@@ -61,7 +61,7 @@ class PlayPanel:
         self.timer.timeout.connect(self._tick)
         self._stale, self._open, self._docked = False, True, False
         self._connect()
-        self.watch = Watch(obj, self._on_change, self._gone)
+        self.watch = Watch(obj, self._on_change, self._on_delete)
         _panels.append(self)
         self.refresh()
 
@@ -180,7 +180,7 @@ class PlayPanel:
         self.stage, self._drawn = stage, -1
         self.refresh()
 
-    def _gone(self) -> None:
+    def _on_delete(self) -> None:
         """Close the panel once FreeCAD is done with deleting the object or its document."""
         self.close()
         later(self._leave)

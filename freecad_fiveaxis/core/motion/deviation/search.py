@@ -110,7 +110,7 @@ def farthest(frame: Frames, chords: Chords) -> tuple[Floats, Floats, Floats]:
     load = np.cumsum(_first_count(chords.turn)) // MOST_PIECES
     for rows in np.split(np.arange(len(load)), np.flatnonzero(np.diff(load)) + 1):
         best[rows], best_u[rows] = _branch_and_bound(frame, chords.take(rows))
-    return best, best_u, _proven(best)
+    return best, best_u, _compute_limit(best)
 
 
 def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
@@ -124,13 +124,13 @@ def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
         here = _local(frame, chords, pieces)
         _improve(best, best_u, pieces.block, pieces.centre, here.square)
         _try_peaks(frame, chords, pieces, here, best, best_u)
-        keep = np.flatnonzero(here.bound > _proven(best)[pieces.block] ** 2)
+        keep = np.flatnonzero(here.bound > _compute_limit(best)[pieces.block] ** 2)
         waiting += [_halve_pieces(pieces, keep)] if len(keep) else []
     _polish(frame, chords, best, best_u)
     return best, best_u
 
 
-def _proven(best: Floats) -> Floats:
+def _compute_limit(best: Floats) -> Floats:
     """Return the distance that no piece may exceed: what the search proves, and where it ends."""
     return best * (1.0 + RELATIVE) + ABSOLUTE
 

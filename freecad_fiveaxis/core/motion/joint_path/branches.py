@@ -121,7 +121,7 @@ def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
     return fits
 
 
-def broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) -> Bools:
+def find_broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) -> Bools:
     """Return the breaks (n - 1,) of a way that was chosen."""
     broken = np.empty(len(cutting), bool)
     for rows in chunks(len(broken)):

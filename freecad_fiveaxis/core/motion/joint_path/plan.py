@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, inverse_
 from freecad_fiveaxis.core.tool.body import Body, Piece
 from freecad_fiveaxis.core.toolpath.cl_path import SAFE_MARGIN, CLPath, Motion
 
-from .branches import POLE_ANGLE, broken_steps, choose, within_limits
+from .branches import POLE_ANGLE, choose, find_broken_steps, within_limits
 from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
 
 POINT = Body((Piece(0.0, 0.0, 0.0, 0.0, 0.0),))
@@ -81,7 +81,7 @@ def solve(
 
     ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance``
     (mm) before it rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too, and ``tool``,
-    the body as seen from the driven point (:func:`~freecad_fiveaxis.core.tool.body.seen_from`), None: the
+    the body as seen from the driven point (:func:`~freecad_fiveaxis.core.tool.body.lower_body`), None: the
     ball alone. ``blocked``: where the machine is in its own way; there the other branch is taken, where it is
     free. Rotary words may jump on rapids that go above the part; a rapid beside it drives on as a cut does.
     Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of
@@ -112,7 +112,7 @@ def solve(
         )
     _place_turns(path, pole, words, branch)
     _hold_stand_ins(words, kinematics)
-    breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
+    breaks = np.flatnonzero(find_broken_steps(words, branch, cutting, crossing))
     start = Drive(path, np.arange(len(words)), words, branch)
     drive, gaps = insert_rewinds(
         start, kinematics, breaks, np.asarray(low), np.asarray(high), clearance, radius, tool or POINT

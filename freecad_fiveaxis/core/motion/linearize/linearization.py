@@ -219,7 +219,7 @@ def _divide_blocks(
         count[part], held[part] = divided.pieces.count, divided.pieces.held
         parts.append(divided)
     progress("linearize", 1.0)
-    return _woven(words, Outcome(over, count, held, even), parts)
+    return _weave_rows(words, Outcome(over, count, held, even), parts)
 
 
 def _over(
@@ -274,7 +274,7 @@ def _of_portion(
     return _Part(pieces, tool_axis(kinematics, way, block, pieces.share)), way.even
 
 
-def _woven(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:
+def _weave_rows(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:
     """Return the given rows and the inserted ones, each before the row that its block ends in."""
     pieces = np.ones(len(words), np.int64)
     pieces[outcome.row] = outcome.count

@@ -51,7 +51,9 @@ def find_offset_planes(
     called, ended = lines.any_of(codes.DYNAMIC[:1]), lines.any_of(codes.DYNAMIC[1:])
     turns = np.abs(np.diff(stands, axis=0, prepend=stands[:1])).max(axis=1) > 0.0
     for row in np.flatnonzero(called | ended | turns | np.diff(on, prepend=False)).tolist():
-        reason = _broken(stands, on, row, since) if called[row] or (since >= 0 and not ended[row]) else ""
+        reason = (
+            _explain_break(stands, on, row, since) if called[row] or (since >= 0 and not ended[row]) else ""
+        )
         if reason:
             findings.append(report_refusal(NAME, reason, row))
         if called[row] and not reason:
@@ -74,7 +76,7 @@ def _stands(
     return np.stack(columns, axis=1)
 
 
-def _broken(stands: Floats, on: Bools, row: int, since: int) -> str:
+def _explain_break(stands: Floats, on: Bools, row: int, since: int) -> str:
     """Why the control's way from ``row`` on is not known, under the G254 of the line ``since``, -1 where
     there is none."""
     if on[row]:

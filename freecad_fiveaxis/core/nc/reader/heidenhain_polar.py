@@ -65,7 +65,7 @@ class Place:
         """Nothing is known any more."""
         self.x = self.y = self.pole = None
 
-    def seen(self) -> tuple[float, float] | None:
+    def find_polar(self) -> tuple[float, float] | None:
         """Radius and angle (deg) of the tool's place about the pole."""
         if self.x is None or self.y is None or self.pole is None:
             return None
@@ -145,7 +145,7 @@ def _straight(words: dict[str, float] | None, rest: str, place: Place) -> str | 
     """L to where an LP leads."""
     if words is None or place.pole is None:
         return None
-    seen = place.seen()
+    seen = place.find_polar()
     radius, angle = (
         _find_target(words, name, seen[k] if seen else None) for k, name in enumerate(("PR", "PA"))
     )
@@ -162,7 +162,7 @@ def _find_target(words: dict[str, float], name: str, now: float | None) -> float
 
 def _round(words: dict[str, float] | None, rest: str, place: Place) -> str | None:
     """C, with its further turns, for a CP."""
-    sense, seen = SENSE.search(rest), place.seen()
+    sense, seen = SENSE.search(rest), place.find_polar()
     if (
         words is None
         or sense is None

@@ -116,7 +116,7 @@ def read_nc(
     if not len(at):
         raise _no_motion(before, kinematics.letters)
     first, second = (axis.wrap for axis in kinematics.axes[3:])
-    wrap, meant = (first, second), _meant(lines, axes, at, grammar, kinematics.letters)
+    wrap, meant = (first, second), _convert_words(lines, axes, at, grammar, kinematics.letters)
     meaning = on[at].astype(np.int64)
     if planes is not None:
         solved = turn_into_planes(kinematics, meant, at, planes, wrap)
@@ -307,7 +307,7 @@ def _vectors(lines: Lines, at: Ints, mode: Ints, on: Bools) -> Floats:
     return _tool_vectors(lines, mode, on)[at] if on.any() else np.full((len(at), 3), np.nan)
 
 
-def _meant(
+def _convert_words(
     lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Grammar, letters: str
 ) -> list[tuple[Floats, Bytes]]:
     """Return the words of the motion lines in mm and degrees, and how each is meant."""

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from .expressions import NUMBER
 from .plane_calls import STAY, heidenhain
-from .plane_solution import lost, report_solution, solution
+from .plane_solution import report_solution, report_unreachable, solution
 
 NAMES = {"A": "120", "B": "121", "C": "122"}
 READS = re.compile(rb"Q12[0-2](?![0-9])")
@@ -48,7 +48,7 @@ class PlaneParameters:
         self._turn_frame(tilt.turn, tilt.relative)
         angles, why = solution(self.kinematics, tilt, self.frame, np.radians(self.stand))
         if angles is None:
-            self.findings.append(lost(at + 1, why))
+            self.findings.append(report_unreachable(at + 1, why))
             angles = self.stand
         elif not tilt.back:
             self.picked = report_solution(self.kinematics, tilt, angles, at + 1)

@@ -134,7 +134,7 @@ def report_solution(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) ->
     return report_finding(Code.PLANE_SOLUTION, text, line=line)
 
 
-def lost(line: int, reason: str) -> Finding:
+def report_unreachable(line: int, reason: str) -> Finding:
     """Say that the axes cannot turn to the plane of that line, and why."""
     text = say(
         "The rotary axes cannot turn to the tilted plane: {reason}. Choose the program's own machine.",

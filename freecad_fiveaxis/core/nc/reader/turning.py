@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 
 from .arcs import Chords
 from .plane_calls import MOVE
-from .plane_solution import lost, report_solution, solution
+from .plane_solution import report_solution, report_unreachable, solution
 from .planes import IN_PLANE, Planes, report_refusal
 from .positions import ABSOLUTE, STEP, Moves, track
 
@@ -53,7 +53,7 @@ def turn_into_planes(
                 ]
         angles, why = solution(kinematics, tilt, frame, np.radians(stand))
         if angles is None:
-            findings.append(lost(line, why))
+            findings.append(report_unreachable(line, why))
             continue
         if not tilt.back and first:
             findings.append(report_solution(kinematics, tilt, angles, line))

@@ -85,13 +85,13 @@ def station(machine: Machine, setup: Setup, posting: Posting, name: str = "", re
     return Station(name or machine.name, machine, chain(machine, setup), posting, refused)
 
 
-def solved(path: CLPath, where: Station, progress: Progress = silent) -> JointPath:
+def solve_path(path: CLPath, where: Station, progress: Progress = silent) -> JointPath:
     """Return the cure that is none: the joints as ``joint_path.solve`` finds them."""
     low, high = part_box(path, where.posting.part)
     return solve(path, where.kinematics, low, high, where.posting.clearance, where.posting.radius, progress)
 
 
-NO_CURE: Mapping[str, Cure] = {"none": solved}
+NO_CURE: Mapping[str, Cure] = {"none": solve_path}
 
 
 def compare(
@@ -175,16 +175,16 @@ def _rows(
         raise
     except FiveAxisError as error:
         return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
-    deviation = _measured(where, program)
+    deviation = _measure_surface(where, program)
     return [
-        (_guided if one else _unguided)(
+        (_make_guided_row if one else _make_unguided_row)(
             where, name, joints, program, deviation
         )  # columns that depend on tool-centre control
         for one in guided
     ]
 
 
-def _measured(where: Station, program: Program) -> Deviation:
+def _measure_surface(where: Station, program: Program) -> Deviation:
     """Return the deviation of what makes the surface: a ball's centre, else the tip."""
     above, decimals = where.posting.above, where.posting.dialect.linear_decimals
     if above == 0.0:
@@ -192,7 +192,9 @@ def _measured(where: Station, program: Program) -> Deviation:
     return measure_above(where.kinematics, program.words, above, decimals)
 
 
-def _unguided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:
+def _make_unguided_row(
+    where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation
+) -> Row:
     feeds = feed_blocks(program)
     rates = axis_rates(program)[feeds].max(axis=0, initial=0.0) * np.array(
         [1.0, 1.0, 1.0, *[math.pi / 180.0] * 2]
@@ -206,7 +208,9 @@ def _unguided(where: Station, name: str, joints: JointPath, program: Program, de
     )  # fmt: skip
 
 
-def _guided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:
+def _make_guided_row(
+    where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation
+) -> Row:
     feeds, row, dialect = feed_blocks(program), program.row, where.posting.dialect
     tip = np.stack([round_as_printed(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
     guided = guide(

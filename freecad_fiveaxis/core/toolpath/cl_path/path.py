@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, 
 from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 from freecad_fiveaxis.core.tool import Cutter
-from freecad_fiveaxis.core.tool.body import Body, body_of, seen_from
+from freecad_fiveaxis.core.tool.body import Body, body_of, lower_body
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 from .linking import LOOKS_DOWN, WayOut, tool_keepout, way_out
@@ -145,7 +145,7 @@ def link_passes(
     progress("linking passes", 0.0)
     first = _starts(path.polyline)
     last = np.append(first[1:], len(path.point)) - 1
-    seen = seen_from(body_of(cutter) if body is None else body, cutter.corner)
+    seen = lower_body(body_of(cutter) if body is None else body, cutter.corner)
 
     def way(row: Ints, other: Ints) -> WayOut:
         """Out at these rows; each as high as the way in at the ``other`` row, or out of it, has to be."""
