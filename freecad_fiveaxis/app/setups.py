@@ -42,7 +42,7 @@ from freecad_fiveaxis.core.pipeline.settings import (
 )
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.setup_map import SetupMap as Chart
-from freecad_fiveaxis.core.studies.setup_map import marked_rows, verdict
+from freecad_fiveaxis.core.studies.setup_map import list_marked_rows, verdict
 
 from . import changes, convert, wording
 from .long_work import is_open, listening, run, take_back
@@ -378,7 +378,7 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
     """Show a map in the object's properties."""
     best = chart.best
     assert best is not None  # the core refuses a region that leaves every limit
-    marked = marked_rows(chart)
+    marked = list_marked_rows(chart)
     shift = FreeCAD.Vector(*obj.Path.WorkZero) - FreeCAD.Vector(*chart.base.origin)
     values = {
         "Recommended": FreeCAD.Vector(*chart.origin[best]), "RecommendedTurn": math.degrees(chart.turn[best]),

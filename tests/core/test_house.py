@@ -235,8 +235,6 @@ STILL_PARTICIPLES = {
     "core/orientation/strategies.py: fixed": "an entry of STRATEGIES, called as users call it",
 }
 """Functions that keep such a name, with the reason."""
-NOT_YET = ("core/machine/importing/", "core/studies/setup_map/")
-"""Folders whose functions have not been renamed yet."""
 FUNCTIONS = ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -264,7 +262,6 @@ def test_functions_are_called_by_what_they_do():
     found = {
         f"{path.relative_to(PACKAGE).as_posix()}: {name}"
         for path in PACKAGE.rglob("*.py")
-        if not path.relative_to(PACKAGE).as_posix().startswith(NOT_YET)
         for name in participles_in(ast.parse(path.read_text(encoding="utf-8")))
     }
     assert found == set(STILL_PARTICIPLES)

@@ -30,18 +30,23 @@ from freecad_fiveaxis.core.studies.setup_map import (  # fmt: skip
     advice,
     heat_map_html,
     heat_maps,
-    marked_rows,
+    list_marked_rows,
     origin_option,
     part_box,
     setup_json,
     setup_map,
     setup_markers,
     setup_text,
-    turned_path,
+    turn_path,
     verdict,
 )
-from freecad_fiveaxis.core.studies.setup_map.driven import FIRST_BATCH, drive_turned, turned, worst_blocks
-from freecad_fiveaxis.core.studies.setup_map.setups import MOST_SETUPS, recommended
+from freecad_fiveaxis.core.studies.setup_map.driven import (
+    FIRST_BATCH,
+    drive_turned,
+    turn_points,
+    worst_blocks,
+)
+from freecad_fiveaxis.core.studies.setup_map.setups import MOST_SETUPS, recommend_setup
 
 COARSE = {"stepover": 12.0, "rings": 8}
 
@@ -50,7 +55,7 @@ def full_run(made, machine, origin, turn):
     """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the pipeline's own
     calls."""
     kinematics = chain(machine, Setup(tuple(origin), made.settings.machine.tool_length or 0.0))
-    path, how = turned_path(made.path, turn), posting(made)
+    path, how = turn_path(made.path, turn), posting(made)
     joints = solve(path, kinematics, *part_box(path, how.part, turn), how.clearance, how.radius)
     program = build_program(joints, kinematics, how.dialect, how.inverse_time)
     segment = measure(kinematics, program.words).segment[feed_blocks(program)]
@@ -135,7 +140,7 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
     made = job.make(
         build_settings("mill", "cap.stl", {**given, **UNCURED}),
-        mesh=from_faces(turned(off.vertex, turn), off.face),
+        mesh=from_faces(turn_points(off.vertex, turn), off.face),
     )
     segment = measure(made.kinematics, made.program.words).segment[feed_blocks(made.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
@@ -227,7 +232,7 @@ def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
     assert free.origin[free.best, 2] < -10.0 <= chart.origin[chart.best, 2]  # the table is what decides
     below = chart.origin[:, 2] + bottom < table - 1e-6
     assert below.any() and np.array_equal(chart.stands, ~below) and free.stands.all()
-    assert {kind for row, kind in marked_rows(chart) if below[row]} == {
+    assert {kind for row, kind in list_marked_rows(chart) if below[row]} == {
         "setup-present",
         "setup-beyond-limits",
     }
@@ -311,7 +316,7 @@ def test_the_recommended_one_deviates_least_then_rewinds_least_then_is_quickest_
 ):
     origin = np.array([[0.0, 0, 0], [5, 0, 0], [9, 0, 0]])
     columns = (np.array(deviation, float), np.array(time, float), np.array(rewinds), np.array(within, bool))
-    assert recommended(origin, (0.0, 0.0, 0.0), *columns, enough) == best
+    assert recommend_setup(origin, (0.0, 0.0, 0.0), *columns, enough) == best
 
 
 def test_markers_stand_at_places_of_the_map_in_work_coordinates(chart):

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where on the table the part should stand, and how turned."""
 
-from .driven import Posting, part_box, turned_path
+from .driven import Posting, part_box, turn_path
 from .heat_map import heat_maps, pictures
 from .mapping import Collide, setup_map
 from .page import (
     advice,
     heat_map_html,
-    marked_rows,
+    list_marked_rows,
     origin_option,
     setup_json,
     setup_markers,
@@ -17,8 +17,7 @@ from .page import (
 from .setups import Kind, Region, SetupMap
 
 __all__ = [
-    "Collide", "Kind", "Posting", "Region", "SetupMap", "advice", "heat_map_html", "heat_maps", "marked_rows",
-    "origin_option",
-    "part_box", "pictures", "setup_json", "setup_map", "setup_markers", "setup_text", "turned_path",
-    "verdict",
+    "Collide", "Kind", "Posting", "Region", "SetupMap", "advice", "heat_map_html", "heat_maps",
+    "list_marked_rows", "origin_option", "part_box", "pictures", "setup_json", "setup_map",
+    "setup_markers", "setup_text", "turn_path", "verdict",
 ]  # fmt: skip

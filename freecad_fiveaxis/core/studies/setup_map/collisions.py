@@ -59,7 +59,7 @@ def choose_free(
         best = choose(able & ~(hits > 0.0))
         if best in seen:
             passed = {at: found for at, found in seen.items() if hits[at] > 0.0 and able[at]}
-            return FreeSetup(best, hits, (*seen[best], *_passed_over(origin, passed)))
+            return FreeSetup(best, hits, (*seen[best], *_note_passed_over(origin, passed)))
         row = best
     hit = [row for row in seen if hits[row] > 0.0]
     if not hit or not able.any():  # the limits are why
@@ -81,7 +81,7 @@ def _deepest(found: tuple[Finding, ...]) -> Finding | None:
     )
 
 
-def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
+def _note_passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
     """Yield a note on the setups that would be better, but for what is hit there."""
     if passed:
         row = next(iter(passed))

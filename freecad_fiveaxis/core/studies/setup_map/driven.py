@@ -106,7 +106,7 @@ class Driven:
         rows = np.flatnonzero(self.drive.path.motion != Motion.RAPID)
         return rows[rows > 0]
 
-    def posted(self, kinematics: Chain) -> tuple[JointPath, Program]:
+    def post(self, kinematics: Chain) -> tuple[JointPath, Program]:
         """Joints and program in one setup: the same as ``solve`` and ``build_program`` make there."""
         drive = subdivide_rapids(
             self.drive, kinematics, min(0.5 * self.posting.clearance, SAFE_MARGIN)
@@ -118,7 +118,7 @@ class Driven:
     def cost(self, origin: Floats) -> Cost:
         """Return what the setup costs, of the program's rounded words."""
         kinematics = self.kinematics(origin)
-        joints, program = self.posted(kinematics)
+        joints, program = self.post(kinematics)
         worst = worst_blocks(kinematics, program.words, feed_blocks(program))
         travel = np.abs(np.diff(np.radians(program.words[:, 3:]), axis=0)).sum()
         over = np.maximum(joints.q[:, :3] - kinematics.high[:3], kinematics.low[:3] - joints.q[:, :3]).max(
@@ -129,18 +129,18 @@ class Driven:
         )
 
 
-def turned_path(path: CLPath, turn: float) -> CLPath:
+def turn_path(path: CLPath, turn: float) -> CLPath:
     """Return the path of a part that is turned counter-clockwise by ``turn`` rad about Z through the work
     zero."""
     if turn == 0.0:
         return path
     columns: dict[str, Any] = {
-        name: turned(getattr(path, name), turn) for name in ("tip", "axis", "contact", "normal")
+        name: turn_points(getattr(path, name), turn) for name in ("tip", "axis", "contact", "normal")
     }
     return replace(path, **columns)
 
 
-def turned(points: Floats, turn: float) -> Floats:
+def turn_points(points: Floats, turn: float) -> Floats:
     """Points or vectors (n, 3), turned counter-clockwise about Z."""
     cos, sin = np.cos(turn), np.sin(turn)
     x, y, z = np.asarray(points).T
@@ -152,7 +152,7 @@ def part_box(path: CLPath, part: Floats | None, turn: float = 0.0) -> tuple[Floa
     not known."""
     feeding = path.motion != Motion.RAPID
     points = (path.tip[feeding] if feeding.any() else path.tip) if part is None else np.asarray(part)
-    points = turned(points, turn) if turn else points
+    points = turn_points(points, turn) if turn else points
     return points.min(axis=0), points.max(axis=0)
 
 
@@ -163,9 +163,7 @@ def drive_turned(
     zero."""
     low, high = part_box(path, posting.part, turn)
     kinematics = chain(machine, base)
-    joints = solve(
-        turned_path(path, turn), kinematics, low, high, posting.clearance, posting.radius, progress
-    )
+    joints = solve(turn_path(path, turn), kinematics, low, high, posting.clearance, posting.radius, progress)
     return Driven(machine, base.tool_length, posting, turn, _whole_rapids(joints), joints.rewinds)
 
 
@@ -178,10 +176,10 @@ def _whole_rapids(joints: JointPath) -> Drive:
     rapid = path.motion == Motion.RAPID
     inner = np.zeros(len(angles), bool)
     inner[1:-1] = even & rapid[1:-1] & rapid[2:] & (joints.row[1:-1] == joints.row[2:])
-    return Drive(picked_path(path, ~inner), joints.row[~inner], angles[~inner], joints.branch[~inner])
+    return Drive(pick_path_rows(path, ~inner), joints.row[~inner], angles[~inner], joints.branch[~inner])
 
 
-def picked_path(path: CLPath, keep: Bools) -> CLPath:
+def pick_path_rows(path: CLPath, keep: Bools) -> CLPath:
     """Return some rows of a CL path."""
     return replace(
         path, **{one.name: getattr(path, one.name)[keep] for one in fields(path) if one.name != "findings"}

@@ -69,19 +69,19 @@ def _drawings(chart: SetupMap) -> list[Callable[[Any], PlotText]]:
     return drawn
 
 
-def _shown(chart: SetupMap) -> int:
+def _choose_shown(chart: SetupMap) -> int:
     """Return the setup that the slices pass: the recommended one, or the present one."""
     return 0 if chart.best is None else chart.best
 
 
 def _turn_at(chart: SetupMap) -> int:
-    return int(np.abs(np.array(chart.region.turns) - chart.turn[_shown(chart)]).argmin())
+    return int(np.abs(np.array(chart.region.turns) - chart.turn[_choose_shown(chart)]).argmin())
 
 
-def _sliced(chart: SetupMap, column: Floats | Bools, axes: tuple[int, ...]) -> Floats:
+def _slice_grid(chart: SetupMap, column: Floats | Bools, axes: tuple[int, ...]) -> Floats:
     """Return the grid's values along ``axes`` (ascending), the last axis first, through the place nearest to
     the shown setup."""
-    origin, lines = chart.origin[_shown(chart)], chart.region.lines()
+    origin, lines = chart.origin[_choose_shown(chart)], chart.region.lines()
     at: list[Any] = [_turn_at(chart)]
     at += [
         slice(None) if axis in axes else int(np.abs(lines[axis] - origin[axis]).argmin())
@@ -92,7 +92,7 @@ def _sliced(chart: SetupMap, column: Floats | Bools, axes: tuple[int, ...]) -> F
 
 def _where(chart: SetupMap, axes: tuple[int, ...]) -> str:
     """Where the slice lies, in words."""
-    origin, lines = chart.origin[_shown(chart)], chart.region.lines()
+    origin, lines = chart.origin[_choose_shown(chart)], chart.region.lines()
     held = [
         f"{'XYZ'[axis]} {lines[axis][np.abs(lines[axis] - origin[axis]).argmin()]:g} mm"
         for axis in range(3)
@@ -106,8 +106,8 @@ def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> PlotText:
     from matplotlib.colors import LogNorm
 
     axes = (across, up)
-    deviation, time = (_sliced(chart, column, axes) for column in (chart.max_deviation, chart.time))
-    outside = ~_sliced(chart, chart.able, axes).astype(bool)
+    deviation, time = (_slice_grid(chart, column, axes) for column in (chart.max_deviation, chart.time))
+    outside = ~_slice_grid(chart, chart.able, axes).astype(bool)
     low, high = np.nanmin(deviation), np.nanmax(deviation)
     log = low > 0.0 and high > LOG_SPREAD * low
     left, right = figure.subplots(1, 2)
@@ -142,7 +142,7 @@ def _panel(
     edges = [_edges(lines[axis]) for axis in pair]
     title, colours, norm = look
     drawn = axes.pcolormesh(*edges, np.ma.masked_invalid(values), cmap=colours, norm=norm, rasterized=False)
-    axes.add_collection(_hatched(edges[0], edges[1], outside))
+    axes.add_collection(_hatch_cells(edges[0], edges[1], outside))
     figure.colorbar(drawn, ax=axes, label=title, format="%.4g")
     for row, mark, colour in ((0, "x", PRESENT), (chart.best, "*", RED)):
         if row is not None:
@@ -159,7 +159,7 @@ def _mark(axes: Any, place: Floats, mark: str, colour: str) -> None:
     axes.plot(*place, mark, color=colour, ms=15 if mark == "*" else 10, zorder=6, **rim)
 
 
-def _hatched(x: Floats, y: Floats, chosen: Bools) -> Any:
+def _hatch_cells(x: Floats, y: Floats, chosen: Bools) -> Any:
     """Return the cells that are ``chosen`` (len(y) - 1, len(x) - 1), hatched."""
     from matplotlib.collections import PolyCollection
 
@@ -177,7 +177,7 @@ def _edges(line: Floats) -> Floats:
 
 def _curve(figure: Any, chart: SetupMap, axis: int) -> PlotText:
     line, letter = chart.region.lines()[axis], "XYZ"[axis]
-    deviation, time = (_sliced(chart, column, (axis,)) for column in (chart.max_deviation, chart.time))
+    deviation, time = (_slice_grid(chart, column, (axis,)) for column in (chart.max_deviation, chart.time))
     left, right = figure.subplots(1, 2)
     for axes, values, label in (
         (left, deviation, "largest deviation, mm"),
@@ -185,7 +185,7 @@ def _curve(figure: Any, chart: SetupMap, axis: int) -> PlotText:
     ):
         axes.plot(line, values, "o-", color=BLUE)
         axes.set(xlabel=f"work zero {letter}, mm", ylabel=label)
-    outside = ~_sliced(chart, chart.able, (axis,)).astype(bool)
+    outside = ~_slice_grid(chart, chart.able, (axis,)).astype(bool)
     left.plot(
         line[outside],
         deviation[outside],

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 from .collisions import Look, choose_free
 from .driven import Cost, Posting, part_box
 from .search import Found
-from .setups import Kind, Region, SetupMap, recommended
+from .setups import Kind, Region, SetupMap, recommend_setup
 from .trials import Ground, Trial, Tried, carry_out, drive, trials_of
 
 BELOW = 1e-6
@@ -82,7 +82,7 @@ def setup_map(
     if all((Kind.GRID, turn) in lost for turn in region.turns):
         raise lost[Kind.GRID, region.turns[-1]]
     look = None if collide is None else _look(ground, collide, progress)
-    return _mapped(
+    return _build_map(
         machine, base, region, enough, sorted(rows, key=lambda row: row.kind), found, lost, stand, look
     )
 
@@ -93,7 +93,7 @@ def _look(ground: Ground, collide: Collide, progress: Progress) -> Look:
     def look(turn: float, origin: Floats) -> tuple[Finding, ...]:
         driven = drive(ground, turn, progress)
         kinematics = driven.kinematics(origin)
-        return collide(driven.setup(origin), kinematics, driven.posted(kinematics)[1])
+        return collide(driven.setup(origin), kinematics, driven.post(kinematics)[1])
 
     return look
 
@@ -129,7 +129,7 @@ def _rows(trial: Trial, tried: Tried) -> Iterator[_Row]:
         yield _Row(origin, trial.turn, cost, tried.rewinds, trial.kind)
 
 
-def _mapped(
+def _build_map(
     machine: Machine, base: Setup, region: Region, enough: float, rows: list[_Row], found: list[Found],
     lost: dict[tuple[Kind, float], ReachError], stand: _Stand, look: Look | None,
 ) -> SetupMap:  # fmt: skip
@@ -140,7 +140,7 @@ def _mapped(
     eligible = within & stands & _inside(origin, region)
     turn = np.array([row.turn for row in rows])
     choice = choose_free(
-        lambda able: recommended(origin, base.origin, deviation, time, rewinds, able, enough),
+        lambda able: recommend_setup(origin, base.origin, deviation, time, rewinds, able, enough),
         origin, turn, eligible, bool(within[0] & stands[0]), look,
     )  # fmt: skip
     least = min((one.least for one in found if one.origin is not None), default=math.nan)
@@ -149,7 +149,7 @@ def _mapped(
         *(() if none_free else _findings(region, origin, best, found)),
         *choice.findings,
         *_table_findings(stand, stands),
-        *_lost_findings(lost),
+        *_report_lost(lost),
     )
     return SetupMap(
         machine=machine.name, base=base, region=region, origin=origin, turn=turn,
@@ -214,7 +214,7 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
         yield report_finding(Code.PART_BELOW_TABLE, text, stand.least)
 
 
-def _lost_findings(lost: dict[tuple[Kind, float], ReachError]) -> Iterator[Finding]:
+def _report_lost(lost: dict[tuple[Kind, float], ReachError]) -> Iterator[Finding]:
     for (_, turn), error in lost.items():
         angle = math.degrees(turn)
         text = say(

@@ -151,10 +151,10 @@ def setup_text(chart: SetupMap) -> str:
         *textwrap.wrap(verdict(chart), WIDTH),
         *(f"  {step}" for step in advice(chart)),
         "",
-        *text_table(_named(chart)),
+        *text_table(_table_named(chart)),
         "",
     ]
-    lines += textwrap.wrap(_proven(chart), WIDTH)
+    lines += textwrap.wrap(_say_proven(chart), WIDTH)
     lines += findings_text(chart.findings)
     return "\n".join(lines) + "\n"
 
@@ -190,7 +190,7 @@ def heat_map_html(chart: SetupMap, title: str = "") -> str:
     pictures = figures(heat_maps(chart), bool(np.isfinite(chart.max_deviation).any()))
     body = [
         section("What to do", "".join(f"<p><code>{escape(step)}</code></p>" for step in advice(chart))),
-        section("Setups", table(_named(chart)) + f'<p class="note">{_proven(chart)}</p>'),
+        section("Setups", table(_table_named(chart)) + f'<p class="note">{_say_proven(chart)}</p>'),
         *pictures,
         section("Turns", table(_turn_table(chart)) if len(chart.region.turns) > 1 else ""),
         section("Findings", findings_list(chart.findings)),
@@ -218,10 +218,10 @@ def setup_markers(chart: SetupMap) -> tuple[Marker, ...]:
         x, y, z = place[row].tolist()
         return Marker((x, y, z), kind, words.get(kind, "{}").format(_mm(chart, row)))
 
-    return tuple(marker(row, kind) for row, kind in marked_rows(chart))
+    return tuple(marker(row, kind) for row, kind in list_marked_rows(chart))
 
 
-def marked_rows(chart: SetupMap) -> tuple[tuple[int, str], ...]:
+def list_marked_rows(chart: SetupMap) -> tuple[tuple[int, str], ...]:
     """Return the row and the kind of each of :func:`setup_markers`."""
     best = () if chart.best is None else ((chart.best, "setup-best"),)
     at = chart.turn[chart.best] if chart.best is not None else chart.region.turns[0]
@@ -235,7 +235,7 @@ def _mm(chart: SetupMap, row: int) -> str:
     return f"{number(float(chart.max_deviation[row]), 4)} mm"
 
 
-def _named(chart: SetupMap) -> Table:
+def _table_named(chart: SetupMap) -> Table:
     """Return the setups worth naming: recommended, present, best and worst of the grid."""
     rows = [("present", 0)] if chart.best is None else [("recommended", chart.best), ("present", 0)]
     grid = np.flatnonzero((chart.kind == Kind.GRID) & np.isfinite(chart.max_deviation))
@@ -277,7 +277,7 @@ def _cells(chart: SetupMap, name: str, row: int) -> list[str]:
     ]
 
 
-def _proven(chart: SetupMap) -> str:
+def _say_proven(chart: SetupMap) -> str:
     if not math.isfinite(chart.least):
         return ""
     turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"

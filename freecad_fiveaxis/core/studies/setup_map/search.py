@@ -140,7 +140,7 @@ def best_origin(
     at, best, value, least = middle, None, math.inf, 0.0
     for round_ in range(ROUNDS):
         progress("setup map", round_ / ROUNDS)
-        deviation, over = _measured(driven, at, planes)
+        deviation, over = _measure_at(driven, at, planes)
         if over <= LINEAR_SLACK and deviation < value:
             best, value = at, deviation
         lowest = planes.lowest(region)
@@ -183,11 +183,11 @@ def _nearer(
 
 
 def _keeps(driven: Driven, at: Floats, planes: _Planes, level: float) -> bool:
-    deviation, over = _measured(driven, at, planes)
+    deviation, over = _measure_at(driven, at, planes)
     return deviation <= level and over <= LINEAR_SLACK
 
 
-def _measured(driven: Driven, origin: Floats, planes: _Planes) -> tuple[float, float]:
+def _measure_at(driven: Driven, origin: Floats, planes: _Planes) -> tuple[float, float]:
     """Deviation and excess over limits at one work zero, mm, of words before rounding; its planes are put to
     the others."""
     stations = [driven.kinematics(origin), *(driven.kinematics(origin + SHIFT * way) for way in np.eye(3))]

@@ -180,7 +180,7 @@ class SetupMap:
         return rows.reshape(len(self.region.turns), nz, ny, nx)
 
 
-def recommended(
+def recommend_setup(
     origin: Floats, base: Vector, deviation: Floats, time: Floats, rewinds: Ints, within: Bools, enough: float
 ) -> int | None:
     """Return the row to take, None where none is within limits.

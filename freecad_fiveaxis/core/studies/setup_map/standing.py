@@ -38,7 +38,7 @@ from freecad_fiveaxis.core.tool.body import HOLDER, PARTS, SHANK, SPINDLE, Body
 from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
-from .driven import turned, turned_path
+from .driven import turn_path, turn_points
 
 PART, TABLE, LIMITS = "part", "table", "limits"
 """What is met, beside fixtures and bodies of the machine, which have names of their own."""
@@ -105,7 +105,7 @@ class Standing:
         length = self.base.tool_length + (more if self.known else 0.0)  # else the words do not depend on it
         x, y, z = self.origin
         setup = Setup((x, y, z), length)
-        kinematics, path = chain(self.machine, setup), turned_path(self.path, self.turn)
+        kinematics, path = chain(self.machine, setup), turn_path(self.path, self.turn)
         joints, program = self.post(kinematics, path, stack, self.turn, progress)
         low, high = kinematics.low[:3] - joints.q[:, :3], joints.q[:, :3] - kinematics.high[:3]
         over = float(np.maximum(low, high).max(initial=0.0))
@@ -121,16 +121,16 @@ class Standing:
     @property
     def turned_part(self) -> Mesh | None:
         """The part as it lies in the setup, in the program's coordinates."""
-        return None if self.part is None else _turned(self.part, self.turn)
+        return None if self.part is None else _turn_mesh(self.part, self.turn)
 
     @property
     def turned_fixtures(self) -> tuple[Fixture, ...]:
         """The fixtures as they lie in the setup."""
-        return tuple(replace(one, mesh=_turned(one.mesh, self.turn)) for one in self.fixtures)
+        return tuple(replace(one, mesh=_turn_mesh(one.mesh, self.turn)) for one in self.fixtures)
 
 
-def _turned(mesh: Mesh, turn: float) -> Mesh:
-    return from_faces(turned(mesh.vertex, turn), mesh.face) if turn else mesh
+def _turn_mesh(mesh: Mesh, turn: float) -> Mesh:
+    return from_faces(turn_points(mesh.vertex, turn), mesh.face) if turn else mesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -188,7 +188,7 @@ class Run:
             clearance=stand.clearance, fixtures=stand.turned_fixtures,
         )  # fmt: skip
         found = check_machine(given, self.program, stand.turned_part, stand.tolerance, progress)
-        return max(map(_met_by, filter(_counts, found)), key=lambda met: met.depth, default=None)
+        return max(map(_find_met, filter(_counts, found)), key=lambda met: met.depth, default=None)
 
     def table_tree(self, height: float) -> FacetTree | None:
         """Return the table, whose face is at ``height`` mm in the program's coordinates; None where bounds
@@ -205,7 +205,7 @@ def _counts(finding: Finding) -> bool:
     )
 
 
-def _met_by(finding: Finding) -> Met:
+def _find_met(finding: Finding) -> Met:
     hit = finding.hit or finding.near
     depth = float(finding.value or 0.0) if finding.hit is not None else 0.0
     return Met(hit.enters if hit else "", (hit.entered if hit else "") or PART, depth)

@@ -206,7 +206,7 @@ def stick_out_findings(found: StickOut | None) -> Iterator[Finding]:
         )  # fmt: skip
         last = say("Use a smaller holder, lean the tool otherwise, or clamp the part otherwise.")
         yield report_finding(
-            Code.NO_STICK_OUT_FREE, join_sentences((text, _met_words(met), last)), found.longest
+            Code.NO_STICK_OUT_FREE, join_sentences((text, _say_met(met), last)), found.longest
         )
         return
     yield _enough_finding(found, found.enough)
@@ -216,7 +216,7 @@ def _enough_finding(found: StickOut, least: float) -> Finding:
     enough, present, given = Length(least, ".6g"), Length(found.present, ".6g"), _option_words(found)
     if found.met is not None:
         text = say("Tool stick-out: {enough} are needed, {present} are set.", enough=enough, present=present)
-        text = join_sentences((text, _met_words(found.met), given))
+        text = join_sentences((text, _say_met(found.met), given))
         return report_finding(Code.STICK_OUT_TOO_SHORT, text, least, found.present)
     if given:
         text = say("Tool stick-out: {enough} are enough, {present} are set.", enough=enough, present=present)
@@ -239,26 +239,28 @@ def _option_words(found: StickOut) -> Sentence | str:
 def _shorter_words(found: StickOut) -> Sentence | str:
     if found.shorter is None:
         return say("It cannot be clamped shorter.")
-    return say("Shorter by {step}: {met}", step=Length(STEP), met=_met_words(found.shorter))
+    return say("Shorter by {step}: {met}", step=Length(STEP), met=_say_met(found.shorter))
 
 
-def _met_words(met: Met | None) -> Sentence | str:
+def _say_met(met: Met | None) -> Sentence | str:
     """Return what is met, as a sentence."""
     if met is None:
         return ""
     if met.entered == LIMITS:
         return say("The axes leave their limits by {over}.", over=Length(met.depth, ".3g"))
     if met.depth == 0.0:
-        return say("It is not proven that the {part} stays out of {name}.", part=met.enters, name=named(met))
+        return say(
+            "It is not proven that the {part} stays out of {name}.", part=met.enters, name=name_met(met)
+        )
     words = say(
         "The {part} goes at least {depth} into {name}.",
-        part=met.enters, depth=Length(met.depth, ".3g"), name=named(met),
+        part=met.enters, depth=Length(met.depth, ".3g"), name=name_met(met),
     )  # fmt: skip
     if met.place is None:
         return words
     return say(
         "The {part} goes at least {depth} into {name} at {at}.",
-        part=met.enters, depth=Length(met.depth, ".3g"), name=named(met), at=Point(met.place, ".4g"),
+        part=met.enters, depth=Length(met.depth, ".3g"), name=name_met(met), at=Point(met.place, ".4g"),
     )  # fmt: skip
 
 
@@ -268,17 +270,17 @@ def stick_out_record(found: StickOut | None) -> dict[str, object] | None:
         return None
     return {
         "present": found.present, "enough": found.enough, "longest": found.longest,
-        "met": met_record(found.met), "shorter": met_record(found.shorter),
+        "met": record_met(found.met), "shorter": record_met(found.shorter),
         "options": {name: value or None for name, value in found.options},
     }  # fmt: skip
 
 
-def met_record(met: Met | None) -> dict[str, object] | None:
+def record_met(met: Met | None) -> dict[str, object] | None:
     """Return what is met, for scripts."""
     return None if met is None else met._asdict()
 
 
-def named(met: Met) -> Sentence | str:
+def name_met(met: Met) -> Sentence | str:
     """Return what is entered, as it is called."""
     names = {PART: say("the part"), TABLE: say("the table")}
     return names.get(met.entered, met.entered)
