@@ -107,6 +107,7 @@ def ball_in_jaw(chart, top, side):
     return float((3.0 - np.linalg.norm(centre - np.clip(centre, low, high), axis=1)).max())
 
 
+@pytest.mark.thorough
 @some_in_core("side", ["-X", "+X", "-Y", "+Y"], others=OTHERS_ONCE)
 def test_samples_enter_no_jaw_and_one_that_is_half_a_millimetre_higher(tmp_path, side):
     chart = charted(tmp_path)

@@ -155,6 +155,7 @@ def made_with(mesh, given, chart, names=("cutter", "shank", "tool_length")):
     return job.run(settings, mesh=mesh)
 
 
+@pytest.mark.thorough
 @some_in_core("name", EXAMPLES, others=OTHERS_ONCE)
 def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millimetre_shorter_they_do(name):
     part, more = EXAMPLES[name]
