@@ -267,9 +267,9 @@ def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_i
 
 def test_blocks_are_stepped_and_the_slider_and_the_time_follow(doc, opened, click, until):
     shown = opened(toolpath(doc))
-    for _ in range(3):
+    for block in (1, 2, 3):  # a hand looks, too, before it clicks again
         click(shown.controls.forward)
-    until(lambda: (shown.player.block, shown.player.u) == (3, 1.0), 20000, "the third block")
+        until(lambda: (shown.player.block, shown.player.u) == (block, 1.0), 20000, f"block {block}")  # noqa: B023
     until(lambda: shown.readout.block.text().startswith("3 of "), 20000, "its number")
     click(shown.controls.back)
     until(lambda: shown.player.block == 2, 20000, "the second block")
