@@ -27,6 +27,9 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 HEIGHTS = (5.0, 10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0)
 """mm, the lowest first."""
 
+PRINTED = 1e-3
+"""mm that words keep off the limit, for they are rounded when they are printed."""
+
 FINE = 1.0
 """mm; the step below the lowest free height is halved down to it."""
 
@@ -121,13 +124,13 @@ class _Trial:
 
     @property
     def room(self) -> Floats:
-        """How far each gap (g,) can be raised within the travel, mm."""
+        """How far each gap (g,) can be raised within the travel, mm; below 0 where it is beyond it."""
         sign = np.sign(self.kinematics.direction[self.up, 2])
         words = np.append(sign * self.joints.q[:, self.up], -np.inf)
         ends = np.stack([self.gaps.out, self.gaps.back + 1], axis=1).ravel()
         most = np.maximum.reduceat(words, ends)[::2] if len(ends) else np.empty(0)
         limit = self.kinematics.high[self.up] if sign > 0.0 else -self.kinematics.low[self.up]
-        return np.maximum(float(limit) - most, 0.0)
+        return np.asarray(float(limit) - PRINTED - most)
 
     def free(self, rows: Ints, height: Floats) -> Bools:
         """Which of the gaps ``rows`` (k,) are free if raised by ``height`` (k,) mm."""
@@ -193,13 +196,15 @@ def _with_rows(
     joints: JointPath, kinematics: Chain, q: Floats, source: Ints, new: Bools, first: Bools, moved: Ints
 ) -> JointPath:
     """Return the joint path of rows ``q`` (n, 5), each with what its ``source`` (n,) has; ``new`` ones cut
-    nothing, and the ``first`` of each gap is reached as the row after it is."""
+    nothing, and the ``first`` of each gap is reached as the row after it is. The others are rapids, of links
+    near the part too: these were divided for where they were, and higher up they swing farther."""
     path = joints.path
     tip, axis = path.tip[source], path.axis[source]
     if new.any():
         tip[new], axis[new] = forward(kinematics, q[new])
     lead = np.where(first, np.minimum(source + 1, len(path.tip) - 1), source)
-    motion = np.where(new, np.maximum(path.motion[lead], np.int8(Motion.LINK)), path.motion[source])
+    up = np.maximum(path.motion[lead], np.int8(Motion.LINK))
+    motion = np.where(new, np.where(first, up, np.int8(Motion.RAPID)), path.motion[source])
     row, off = new[:, None], np.int64(-1)
     longer = replace(
         path, tip=tip, axis=axis, motion=motion.astype(np.int8),

@@ -154,7 +154,7 @@ def _some_held(field: AxisField) -> Nodes:
 def _name_blocking(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
     """Say which body of the machine blocks most, at some of the nodes; nothing where none does alone."""
     nodes, direction = _some_held(field), field.freedom.direction
-    name = find_blocking_body(nodes, with_margin(reacher), mesh, facet_tree(mesh), direction)
+    name = find_blocking_body(nodes, with_margin(reacher), facet_tree(mesh), direction)
     return "" if name is None else say("Most of that is blocked by {name}.", name=name)
 
 

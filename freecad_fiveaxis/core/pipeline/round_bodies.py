@@ -9,14 +9,15 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, join_sentences, say
 from freecad_fiveaxis.core.gouge.body_pairs import REMEDY
 from freecad_fiveaxis.core.gouge.machine_blocks import MachineBlocks
 from freecad_fiveaxis.core.gouge.machine_check import InMachine
 from freecad_fiveaxis.core.links.raise_links import Hits, Raised, raise_links, raising_axis
-from freecad_fiveaxis.core.machine.kinematics import chain, joint_words
+from freecad_fiveaxis.core.machine.kinematics import Chain, chain, joint_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.motion.joint_path.plan import LINEAR_SLACK
 from freecad_fiveaxis.core.motion.program import build_program
 from freecad_fiveaxis.core.tool.body import body_of
 
@@ -123,11 +124,19 @@ def _longer_tool(context: MillContext, given: InMachine, raised: Raised) -> str:
     for more in LONGER:
         longer = _stick_out(context, given, more)
         q = joint_words(longer.kinematics, raised.joints.path.tip, raised.joints.q[:, 3:])
+        if not _is_within_travel(longer.kinematics, q):
+            continue
         joints = replace(raised.joints, q=q)
         tried = raise_links(joints, longer.kinematics, _hits(context, longer), 0.0)
         if (tried.height > 0.0).all():
             return say("With a tool that sticks out {more} farther there is a way.", more=Length(more))
     return ""
+
+
+def _is_within_travel(kinematics: Chain, q: Floats) -> bool:
+    """Whether the linear words of joints (n, 5) lie within their limits."""
+    low, high = kinematics.low[:3] - LINEAR_SLACK, kinematics.high[:3] + LINEAR_SLACK
+    return bool(((q[:, :3] >= low) & (q[:, :3] <= high)).all())
 
 
 def _stick_out(context: MillContext, given: InMachine, more: float) -> InMachine:
