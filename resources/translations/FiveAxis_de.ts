@@ -4840,8 +4840,8 @@
         <translation>Er liegt</translation>
     </message>
     <message>
-        <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero: {sides}.</source>
-        <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus: {sides}.</translation>
+        <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero, where the tool sticks out {lengths}: {sides}.</source>
+        <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus, bei einer Auskragung des Werkzeugs von {lengths}: {sides}.</translation>
     </message>
     <message>
         <source>Jog the tool high above the part, rotary axes at 0, before the first line.</source>
@@ -5220,6 +5220,10 @@
         <translation>Die Zeilen mit Variablen, Ausdrücken oder Sprüngen werden wegen dieser nicht ausgewertet: {reason}. Ihre Wörter fehlen hier; ohne sie ausgeben.</translation>
     </message>
     <message>
+        <source>The machine cannot take the tool along the path.</source>
+        <translation>Die Maschine kann das Werkzeug nicht die Bahn entlang führen.</translation>
+    </message>
+    <message>
         <source>The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.</source>
         <translation>Die Maschine hat keine Achse {letter}: deren {count} Wörter sind ausgelassen. Die Maschine des Programms wählen.</translation>
     </message>
@@ -5452,6 +5456,10 @@
         <translation>{part}: kommt {name} bei {at} näher als {distance}, der nächste von {count} Sätzen; verlangt sind {clearance}.</translation>
     </message>
     <message>
+        <source>The {part} comes nearer to {name} than the clearance.</source>
+        <translation>{part}: kommt näher als der Abstand an {name}.</translation>
+    </message>
+    <message>
         <source>The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp the part higher, use a longer tool, or lean it less ({max_axis_angle}).</source>
         <translation>{part}: mindestens {depth} unter der Tischfläche bei {at}, am tiefsten von {count} Sätzen. Das Teil höher spannen, ein längeres Werkzeug nehmen oder es weniger neigen ({max_axis_angle}).</translation>
     </message>
@@ -5516,8 +5524,8 @@
         <translation>Auskragung des Werkzeugs: {enough} sind nötig, {present} sind eingestellt.</translation>
     </message>
     <message>
-        <source>Tool stick-out: {present} are set, and no length up to {longest} keeps shank, holder and spindle free in the recommended setup.</source>
-        <translation>Auskragung des Werkzeugs: {present} sind eingestellt, und keine Länge bis {longest} hält Schaft, Halter und Spindel in der empfohlenen Aufspannung frei.</translation>
+        <source>Tool stick-out: {present} are set, and no length from that up to {longest} keeps shank, holder and spindle free in the recommended setup.</source>
+        <translation>Auskragung des Werkzeugs: {present} sind eingestellt, und keine Länge von da bis {longest} hält Schaft, Halter und Spindel in der empfohlenen Aufspannung frei.</translation>
     </message>
     <message>
         <source>Tool vectors</source>

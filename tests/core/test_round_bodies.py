@@ -11,6 +11,7 @@ from plain import build_settings
 from test_machine_bodies import frames
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.links.raise_links import FINE, find_gaps, raise_links
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
@@ -32,25 +33,37 @@ MILL = {
 UPRIGHT, LEANING = {"tool_axis": "fixed", "max_axis_angle": 10}, {"tool_axis": "facet_mean", "lead": 8}
 
 
+def slope(left, right, low, high):
+    """A box whose top rises from ``low`` at its left side to ``high`` at its right one."""
+    facets = np.array(box((left, -15, 0), (right, 15, 1)), float)
+    top = low + (facets[..., 0] - left) / (right - left) * (high - low)
+    facets[..., 2] = np.where(facets[..., 2] > 0.5, top, 0.0)
+    return facets
+
+
+SLOPES = from_triangles(np.concatenate([slope(-40, -10, 9, 12), slope(10, 40, 12, 9)]))
+NOSE = MachineBody("nose", "spindle", "cylinder", ((0.0, 0.0, 0.0), (0.0, 0.0, 60.0)), (35.0,))
+
+
 def post(top, half=2.0):
     """A clamp between the pads, on whatever carries the part."""
     return (-half, -30.0, -50.0), (half, 30.0, top)
 
 
-def with_post(monkeypatch, name, top, rest=()):
+def with_post(monkeypatch, name, top, rest=(), half=2.0):
     """The machine with a post, and what else the function ``rest`` of the part's carrier gives."""
     plain = load_machine(name)
     carrier = next((one.letter for one in plain.fitted if one.side == "table"), "base")
-    low, high = (tuple(np.add(plain.origin, corner)) for corner in post(top))
+    low, high = (tuple(np.add(plain.origin, corner)) for corner in post(top, half))
     machine = replace(plain, bodies=(MachineBody("post", carrier, "box", (low, high)), *rest))
     monkeypatch.setattr(options, "load_machine", lambda name: machine)
     monkeypatch.setattr(job, "load_machine", lambda name: machine)
     return machine
 
 
-def milled(machine, **more):
+def milled(machine, mesh=PADS, **more):
     return job.prove(
-        job.make(build_settings("mill", "part", {**MILL, "machine": machine, **more}), mesh=PADS)
+        job.make(build_settings("mill", "part", {**MILL, "machine": machine, **more}), mesh=mesh)
     )
 
 
@@ -206,3 +219,52 @@ def test_a_check_that_sees_no_bodies_would_be_noticed(monkeypatch):
     blind = milled("trunnion_ac", **UPRIGHT)
     assert "machine-collision" in codes(blind)
     assert sampled_depth(machine, blind.draft.program, machine.bodies[0]) > 1.0
+
+
+@pytest.mark.parametrize("name", ["trunnion_ac", "nutating_table_b45"])
+def test_links_near_the_part_hold_the_tolerance_when_they_are_raised(monkeypatch, name):
+    """They were divided for where they were: higher up a link at feed would swing farther."""
+    with_post(monkeypatch, name, 40.0, half=1.0)
+    more = {**LEANING, "links": "near", "linearize": "on", "max_axis_angle": 50, "clearance": 40}
+    made = milled(name, mesh=SLOPES, **more)
+    assert "links-raised" in codes(made) and "deviation-over-tolerance" not in codes(made)
+    raised = made.draft.program.words[:, 2] > 60.0
+    assert raised.any() and (made.draft.program.motion[np.flatnonzero(raised)[1:]] == Motion.RAPID).all()
+
+
+def test_a_longer_tool_for_which_the_axis_has_no_travel_is_no_way(monkeypatch):
+    machine = with_post(monkeypatch, "trunnion_ac", 110.0, rest=(NOSE,))
+    axes = tuple(replace(one, high=100.0) if one.letter == "Z" else one for one in machine.axes)
+    monkeypatch.setattr(job, "load_machine", lambda name: replace(machine, axes=axes))
+    monkeypatch.setattr(options, "load_machine", lambda name: replace(machine, axes=axes))
+    (told,) = (one for one in milled("trunnion_ac", **UPRIGHT).findings if one.code == "no-way-round")
+    assert "farther" not in told.text
+
+
+def test_what_is_missing_is_counted_from_the_limit_where_the_path_is_beyond_it(monkeypatch):
+    machine = with_post(monkeypatch, "trunnion_ac", 40.0)
+    axes = tuple(replace(one, high=90.0) if one.letter == "Z" else one for one in machine.axes)
+    monkeypatch.setattr(job, "load_machine", lambda name: replace(machine, axes=axes))
+    monkeypatch.setattr(options, "load_machine", lambda name: replace(machine, axes=axes))
+    made = milled("trunnion_ac", **UPRIGHT)
+    (told,) = (one for one in made.findings if one.code == "no-way-round")
+    above = made.draft.program.words[:, 2].max() - made.draft.kinematics.high[2]
+    assert above > 5.0 and told.value > above + 20.0
+
+
+def test_what_blocks_an_axis_is_the_body_though_fixtures_stand_about_the_part(monkeypatch):
+    """The part is the part: not the hull about it and all that holds it."""
+    roof = MachineBody("roof", "C", "box", ((-0.5, -30.0, 11.5), (45.0, 30.0, 14.0)))
+    ram = MachineBody("ram", "spindle", "box", ((-10.0, -10.0, 0.0), (10.0, 10.0, 100.0)))
+    machine = replace(load_machine("trunnion_ac"), bodies=(roof, ram))
+    monkeypatch.setattr(job, "load_machine", lambda name: machine)
+    monkeypatch.setattr(options, "load_machine", lambda name: machine)
+    part = from_triangles(np.concatenate([box((-20, -10, 0), (-4, 10, 10)), box((4, -10, 0), (20, 10, 10))]))
+    walls = tuple(
+        Fixture(name, from_triangles(box((at, -30, 0), (at + 4, 30, 60))))
+        for name, at in (("left", -64), ("right", 60))
+    )
+    given = {**MILL, "machine": "trunnion_ac", "tool_axis": "auto", "tool_length": 40.0, "stepover": 4}
+    for fixtures in ((), walls):
+        made = job.make(build_settings("mill", "part", given), mesh=part, fixtures=fixtures)
+        assert any("blocked by roof" in one.text for one in made.findings)

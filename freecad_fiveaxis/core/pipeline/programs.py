@@ -56,7 +56,7 @@ class PostedProgram(ProgramDraft):
 class MilledProgram(PostedProgram):
     """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each
     row of ``offset``; ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is
-    one; ``keep_off``: faces to avoid on which there is an allowance."""
+    one; ``keep_off``: faces to avoid on which there is an allowance; ``entering``: as of a LinkedPath."""
 
     mesh: Mesh
     contact: ContactPath
@@ -65,6 +65,7 @@ class MilledProgram(PostedProgram):
     keep: Bools
     boundary: Boundary | None = field(default=None, kw_only=True)
     keep_off: KeepOff | None = field(default=None, kw_only=True)
+    entering: float = field(default=0.0, kw_only=True)
 
     def context(self, progress: Progress) -> MillContext:
         """Return what the stages took that made it, with another progress to tell."""

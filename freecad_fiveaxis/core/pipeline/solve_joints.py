@@ -111,5 +111,5 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,
         keep=context.keep,
-        boundary=context.boundary, keep_off=context.keep_off,
+        boundary=context.boundary, keep_off=context.keep_off, entering=solved.entering,
     )  # fmt: skip

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.gouge.fixtures import Fixture
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
@@ -72,7 +72,7 @@ from .setup_map import (
     setup_text,
 )
 from .setup_map.room import with_longer_tool, with_room
-from .setup_map.standing import Standing
+from .setup_map.standing import Standing, turn_mesh
 
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
@@ -289,14 +289,16 @@ def _standing(chart: SetupMap, program: PostedProgram, machine: Machine) -> Stan
     x, y, z = chart.origin[row].tolist()
     stack = Stack(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
     part = program.mesh if isinstance(program, MilledProgram) else None
+    entering = program.entering if isinstance(program, MilledProgram) else 0.0
 
     def post(
         kinematics: Chain, path: CLPath, tool: Stack, turn: float, progress: Progress
     ) -> tuple[JointPath, Program]:
-        box = part_box(program.path, None if part is None else part.vertex, turn)
+        held = [replace(one, mesh=turn_mesh(one.mesh, turn)) for one in program.fixtures]
+        box = box_with(part_box(program.path, None if part is None else part.vertex, turn), held)
         given = with_tool(settings, tool)
         context = JobContext(given, machine, kinematics, program.dialect, box, progress)
-        joints = drive(context, path)
+        joints = drive(context, path, entering)
         inverse_time = settings.feeds.feed_mode == "g93"
         return joints, build_program(joints, kinematics, program.dialect, inverse_time, progress)
 

@@ -10,7 +10,8 @@ top      the highest one, in STEPs, that cutter, shank, holder and spindle never
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,27 +49,45 @@ class Jaw:
 @dataclass(frozen=True)
 class Clamping:
     """``hits``: what is to be said of the fixtures, that are hit or come too near; ``jaws`` of the four
-    sides; ``thick`` mm: so thick these are, away from the part."""
+    sides; ``thick`` mm: so thick these are, away from the part. ``stick_out`` (l,) mm: of tools that stick
+    out so far, each of them."""
 
     hits: tuple[Finding, ...]
     jaws: tuple[Jaw, ...]
     thick: float
+    stick_out: tuple[float, ...]
 
 
-def find_clamping(stand: Standing, thick: float, progress: Progress = silent) -> Clamping | None:
-    """Find what the tool hits of the fixtures, and how high jaws ``thick`` mm thick may reach; None where no
-    fixture is given, or the part is not known. Raises ReachError."""
+def find_clamping(
+    stand: Standing, thick: float, progress: Progress = silent, lengths: Sequence[float] = (0.0,)
+) -> Clamping | None:
+    """Find what the tool hits of the fixtures, and how high jaws ``thick`` mm thick may reach, with tools
+    that stick out ``lengths`` mm farther than it does, each of them; of several the first hits. None where no
+    fixture is given; no jaws where the part is not known. Raises ReachError."""
     part = stand.turned_part
-    if not stand.fixtures or part is None:
+    if not stand.fixtures:
         return None
-    run, quiet = stand.run(0.0, progress), _quiet(progress)
-    body = Body((*run.stack.body.pieces, *run.spindle.pieces))
+    quiet = _quiet(progress)
+    runs = [stand.run(more, progress) for more in lengths]
     hits = check_fixtures(
-        stand.turned_fixtures, body, run.kinematics, run.program, stand.tolerance, stand.back, quiet,
-        clearance=stand.clearance,
+        stand.turned_fixtures, whole_tool(runs[0]), runs[0].kinematics, runs[0].program, stand.tolerance,
+        stand.back, quiet, clearance=stand.clearance,
     )  # fmt: skip
-    apart, box = grow_body(body, stand.clearance), part.box
-    return Clamping(hits, tuple(_jaw(run, apart, box, side, thick, quiet) for side in SIDES), thick)
+    out = tuple(round(stand.stack.stick_out + more, 6) for more in lengths)
+    if part is None:
+        return Clamping(hits, (), thick, out)
+    jaws = [[_jaw(run, part.box, side, thick, quiet) for side in SIDES] for run in runs]
+    return Clamping(hits, tuple(map(_lower, *jaws)) if len(jaws) > 1 else tuple(jaws[0]), thick, out)
+
+
+def whole_tool(run: Run) -> Body:
+    """Return the tool, and what is round of the spindle."""
+    return Body((*run.stack.body.pieces, *run.spindle.pieces))
+
+
+def _lower(one: Jaw, other: Jaw) -> Jaw:
+    """Return the jaw that is free with both tools."""
+    return min(one, other, key=lambda jaw: -np.inf if jaw.top is None else jaw.top)
 
 
 def _quiet(progress: Progress) -> Progress:
@@ -76,22 +95,27 @@ def _quiet(progress: Progress) -> Progress:
 
 
 def _jaw(
-    run: Run, body: Body, box: tuple[Floats, Floats], side: tuple[str, int, int], thick: float,
-    progress: Progress,
-) -> Jaw:  # fmt: skip
+    run: Run, box: tuple[Floats, Floats], side: tuple[str, int, int], thick: float, progress: Progress
+) -> Jaw:
     name, axis, out = side
     bottom, top = float(box[0][2]), float(box[1][2])
-    count = max(int((top - bottom) / STEP + 1e-9), 1)
-    free, entered, suspects = 0, count + 1, np.empty(0, np.int64)
-    step = count
-    while entered - free > 1:
-        low, high = jaw_corners(box, axis, out, thick, top - (count - step) * STEP)
-        tree = build_facet_tree(from_triangles(box_facets(low, high)))
+    body = grow_body(whole_tool(run), run.stand.clearance)
+    suspects = np.empty(0, np.int64)
+
+    def is_free(height: float) -> bool:
+        nonlocal suspects
+        tree = build_facet_tree(from_triangles(box_facets(*jaw_corners(box, axis, out, thick, height))))
         found = first_entries(tree, body, run.swept, run.stand.tolerance, suspects, progress)
-        free, entered = (free, step) if len(found) else (step, entered)
         suspects = found if len(found) else suspects
-        step = (free + entered) // 2
-    return Jaw(name, round(top - (count - free) * STEP, 6) if free else None, free < count)
+        return not len(found)
+
+    if is_free(top):
+        return Jaw(name, round(top, 6), False)
+    free, entered = math.floor(bottom / STEP + 1e-9), math.ceil(top / STEP - 1e-9)
+    while entered - free > 1:
+        middle = (free + entered) // 2
+        free, entered = (middle, entered) if is_free(middle * STEP) else (free, middle)
+    return Jaw(name, round(free * STEP, 6) if free * STEP > bottom + 1e-9 else None, True)
 
 
 def jaw_corners(
@@ -111,14 +135,23 @@ def clamping_findings(found: Clamping | None) -> Iterator[Finding]:
     if found is None:
         return
     yield from found.hits
+    if not found.jaws:
+        return
     able = [jaw.top for jaw in found.jaws if jaw.top is not None]
     sides = join_sentences([_words(jaw) for jaw in found.jaws], ", ")
     text = say(
         "Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its "
-        "work zero: {sides}.",
+        "work zero, where the tool sticks out {lengths}: {sides}.",
         thick=Length(found.thick, ".6g"), sides=sides,
+        lengths=_stick_outs(found.stick_out),
     )  # fmt: skip
     yield report_finding(Code.JAWS_FREE, text, min(able, default=None))
+
+
+def _stick_outs(lengths: Sequence[float]) -> Sentence | Length:
+    """Return one length, or two of which either will do."""
+    first, last = Length(lengths[0], ".6g"), Length(lengths[-1], ".6g")
+    return say("{one} or {other}", one=first, other=last) if len(lengths) > 1 else first
 
 
 def _words(jaw: Jaw) -> Sentence:

@@ -128,11 +128,10 @@ def tool_options(chart: SetupMap) -> tuple[str, ...]:
     """How the shortest tool that is free is stated, where it is another than the one that is set."""
     if chart.stick_out is None or not chart.stick_out.options:
         return ()
-    words = (
-        f"--{name.replace('_', '-')}={value}" if value else f"no --{name.replace('_', '-')}"
-        for name, value in chart.stick_out.options
-    )
-    return (f"for a tool that sticks out {chart.stick_out.enough:g} mm: {' '.join(words)}",)
+    words = [(f"--{name.replace('_', '-')}", value) for name, value in chart.stick_out.options]
+    given = " ".join(f"{name}={value}" for name, value in words if value)
+    dropped = "".join(f", without {name}" for name, value in words if not value)
+    return (f"for a tool that sticks out {chart.stick_out.enough:g} mm{dropped}: {given}",)
 
 
 def origin_option(chart: SetupMap) -> str:

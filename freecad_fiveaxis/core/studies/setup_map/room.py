@@ -20,9 +20,18 @@ def with_room(chart: SetupMap, stand: Standing, thick: float, progress: Progress
     """Add to a map with a recommended setup, which ``stand`` is, what the tool needs there, how high jaws
     ``thick`` mm thick may reach, and what is to be said of that."""
     stick_out = find_stick_out(stand, progress)
-    clamping = find_clamping(stand, thick, progress)
+    clamping = find_clamping(stand, thick, progress, _lengths(stick_out))
     more = (*stick_out_findings(stick_out), *clamping_findings(clamping))
     return replace(chart, stick_out=stick_out, clamping=clamping, findings=(*chart.findings, *more))
+
+
+def _lengths(found: StickOut | None) -> tuple[float, ...]:
+    """How much farther the tool may stick out of which the jaws are told: as it is, if that is free, and as
+    is proposed."""
+    if found is None or found.enough is None:
+        return (0.0,)
+    proposed = found.enough - found.present
+    return (proposed,) if found.met is not None or not proposed else (0.0, proposed)
 
 
 def with_longer_tool(
@@ -42,4 +51,5 @@ def _frees(found: StickOut | None, stand: Standing, progress: Progress) -> bool:
     """Whether a longer tool is why nothing is hit, cutter and all."""
     if found is None or found.enough is None or found.met is None:
         return False
-    return stand.run(found.enough - found.present).meets_machine(progress, cutter=True) is None
+    run = stand.run(found.enough - found.present, progress)
+    return run.meets_machine(progress, cutter=True) is None

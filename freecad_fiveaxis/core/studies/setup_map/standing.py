@@ -65,13 +65,15 @@ the settings ask."""
 class Met(NamedTuple):
     """``enters``: shank, holder or spindle, or a body of the machine; ``entered``: PART, TABLE, LIMITS, or
     the name of a fixture or a body. ``depth`` mm: at least so deep, of LIMITS so far beyond them; 0.0 where
-    it is only not proven that nothing is met. ``place`` (3,) mm in the program's coordinates, None where the
-    axes leave their limits or bodies of the machine meet."""
+    it is only not proven that nothing is met, or where something only comes ``near``er than the clearance.
+    ``place`` (3,) mm in the program's coordinates, None where the axes leave their limits or bodies of the
+    machine meet."""
 
     enters: str
     entered: str
     depth: float
     place: Vector | None = None
+    near: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,8 +112,9 @@ class Standing:
         low, high = kinematics.low[:3] - joints.q[:, :3], joints.q[:, :3] - kinematics.high[:3]
         over = float(np.maximum(low, high).max(initial=0.0))
         return Run(
-            self, stack, setup, kinematics, program, program_motion(kinematics, program, self.back), over
-        )
+            self, stack, setup, kinematics, program, program_motion(kinematics, program, self.back), over,
+            joints.rewinds,
+        )  # fmt: skip
 
     @property
     def table_in_work(self) -> float | None:
@@ -121,22 +124,24 @@ class Standing:
     @property
     def turned_part(self) -> Mesh | None:
         """The part as it lies in the setup, in the program's coordinates."""
-        return None if self.part is None else _turn_mesh(self.part, self.turn)
+        return None if self.part is None else turn_mesh(self.part, self.turn)
 
     @property
     def turned_fixtures(self) -> tuple[Fixture, ...]:
         """The fixtures as they lie in the setup."""
-        return tuple(replace(one, mesh=_turn_mesh(one.mesh, self.turn)) for one in self.fixtures)
+        return tuple(replace(one, mesh=turn_mesh(one.mesh, self.turn)) for one in self.fixtures)
 
 
-def _turn_mesh(mesh: Mesh, turn: float) -> Mesh:
+def turn_mesh(mesh: Mesh, turn: float) -> Mesh:
+    """Turn a mesh counter-clockwise by ``turn`` rad about Z through the work zero."""
     return from_faces(turn_points(mesh.vertex, turn), mesh.face) if turn else mesh
 
 
 @dataclass(frozen=True, eq=False)
 class Run:
     """The program of a setup with one tool: ``swept`` its way, ``over`` mm: so far the linear axes leave
-    their limits."""
+    their limits; ``rewinds``: how often the rotary axes turn back inside a cut, and the whole tool
+    retracts."""
 
     stand: Standing
     stack: Stack
@@ -145,6 +150,7 @@ class Run:
     program: Program
     swept: SweptMotion
     over: float
+    rewinds: int = 0
 
     def with_tool(self, more: float) -> Run:
         """Return the same program of a tool whose length nobody knows, ``more`` mm longer than that of the
@@ -207,8 +213,8 @@ def _counts(finding: Finding) -> bool:
 
 def _find_met(finding: Finding) -> Met:
     hit = finding.hit or finding.near
-    depth = float(finding.value or 0.0) if finding.hit is not None else 0.0
-    return Met(hit.enters if hit else "", (hit.entered if hit else "") or PART, depth)
+    depth, near = float(finding.value or 0.0) if finding.hit is not None else 0.0, finding.near is not None
+    return Met(hit.enters if hit else "", (hit.entered if hit else "") or PART, depth, near=near)
 
 
 def first_entries(
@@ -229,13 +235,17 @@ def first_entries(
     return np.empty(0, np.int64)
 
 
-def deepest_met(
-    name: str, tree: FacetTree, body: Body, swept: SweptMotion, tolerance: float, blocks: Ints
-) -> Met:
-    """Return the deepest of these ``blocks`` (k,), as it is told."""
-    found = find_entries(body, tree, swept, tolerance, ROUGHLY, blocks)
-    block = int(found.depth.argmax())
-    return Met(PARTS[int(found.part[block])], name, float(found.depth[block]), vector(found.place[block]))
+def deepest_met(name: str, tree: FacetTree, run: Run, blocks: Ints) -> Met:
+    """Return the deepest of these ``blocks`` (k,), as it is told: how deep shank, holder or spindle go in, or
+    that they only come nearer than the clearance."""
+    tolerance = run.stand.tolerance
+    for body, near in ((run.above, False), (run.apart, True)):
+        found = find_entries(body, tree, run.swept, tolerance, ROUGHLY, blocks)
+        block = int(found.depth.argmax())
+        deep = float(found.depth[block])
+        if near or deep > 0.0 or not run.stand.clearance:
+            break
+    return Met(PARTS[int(found.part[block])], name, 0.0 if near else deep, vector(found.place[block]), near)
 
 
 def vector(point: Floats) -> Vector:

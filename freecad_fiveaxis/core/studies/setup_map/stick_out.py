@@ -21,7 +21,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
-from freecad_fiveaxis.core.base.errors import ReachError
+from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Ints
@@ -59,9 +59,10 @@ class StickOut:
 
 
 def find_stick_out(stand: Standing, progress: Progress = silent) -> StickOut | None:
-    """Find the shortest stick-out that is free; None where no holder is given: then there is nothing that it
-    could be told by. Raises FiveAxisError for the file of a body that cannot be used."""
-    if not stand.stack.holder:
+    """Find the shortest stick-out that is free; None where no holder is given, or the part is not known (a CL
+    file): then there is nothing that it could be told by. Raises FiveAxisError for the file of a body that
+    cannot be used."""
+    if not stand.stack.holder or stand.part is None:
         return None
     lengths = _Lengths(stand, progress)
     found, shorter = lengths.search()
@@ -91,8 +92,11 @@ class _Lengths:
 
     @property
     def first(self) -> int:
-        """The shortest that there is."""
-        return min(math.ceil(self.stand.stack.shortest / STEP - 1e-9), self.present)
+        """The shortest that there is, and that leaves the tool a length."""
+        stand, least = self.stand, self.stand.stack.shortest
+        if stand.known:
+            least = max(least, stand.stack.stick_out - stand.base.tool_length - stand.back)
+        return min(math.ceil(least / STEP - 1e-9), self.present)
 
     @property
     def last(self) -> int:
@@ -108,7 +112,7 @@ class _Lengths:
         least that is met."""
         free = self._free_above()
         if free is None:
-            return None, min((met for met in self.met.values() if met), key=lambda met: met.depth)
+            return None, min(filter(None, self.met.values()), key=lambda met: (not met.depth, met.depth))
         below = [step for step, met in self.met.items() if step < free and met is not None]
         low = max(below, default=self.first - 1)
         if low < self.first and self.look(self.first) is None:
@@ -148,14 +152,14 @@ class _Lengths:
             )
             if len(blocks):
                 self.suspects[name] = blocks
-                return deepest_met(name, tree, run.apart, run.swept, self.stand.tolerance, blocks)
+                return deepest_met(name, tree, run, blocks)
         return run.meets_machine(self._quiet)
 
     def _run(self, more: float) -> Run | Met:
-        if self.run is None or self.stand.known:
+        if self.run is None or self.stand.known or self.run.rewinds:  # a rewind retracts the whole tool
             try:
                 self.run = self.stand.run(more, self._quiet)
-            except ReachError:
+            except (ReachError, SettingsError):  # no cutter is as long as that
                 return Met("", LIMITS, 0.0)
             return self.run
         return self.run.with_tool(more)
@@ -200,8 +204,8 @@ def stick_out_findings(found: StickOut | None) -> Iterator[Finding]:
     if found.enough is None:
         present, met = Length(found.present, ".6g"), found.shorter
         text = say(
-            "Tool stick-out: {present} are set, and no length up to {longest} keeps shank, holder and "
-            "spindle free in the recommended setup.",
+            "Tool stick-out: {present} are set, and no length from that up to {longest} keeps shank, holder "
+            "and spindle free in the recommended setup.",
             present=present, longest=Length(found.longest, ".6g"),
         )  # fmt: skip
         last = say("Use a smaller holder, lean the tool otherwise, or clamp the part otherwise.")
@@ -247,7 +251,13 @@ def _say_met(met: Met | None) -> Sentence | str:
     if met is None:
         return ""
     if met.entered == LIMITS:
-        return say("The axes leave their limits by {over}.", over=Length(met.depth, ".3g"))
+        over = Length(met.depth, ".3g")
+        beyond = say("The axes leave their limits by {over}.", over=over)
+        return beyond if met.depth else say("The machine cannot take the tool along the path.")
+    if met.near:
+        return say(
+            "The {part} comes nearer to {name} than the clearance.", part=met.enters, name=name_met(met)
+        )
     if met.depth == 0.0:
         return say(
             "It is not proven that the {part} stays out of {name}.", part=met.enters, name=name_met(met)
