@@ -233,10 +233,12 @@ def test_links_near_the_part_hold_the_tolerance_when_they_are_raised(monkeypatch
 
 
 def test_a_longer_tool_for_which_the_axis_has_no_travel_is_no_way(monkeypatch):
-    machine = with_post(monkeypatch, "trunnion_ac", 110.0, rest=(NOSE,))
+    """Its nose would stand over the tower; but Z ends where this tool just reaches the cuts."""
+    tower = MachineBody("tower", "C", "box", ((60.0, -30.0, -100.0), (90.0, 30.0, 110.0)))
+    machine = replace(load_machine("trunnion_ac"), bodies=(NOSE, tower))
     axes = tuple(replace(one, high=100.0) if one.letter == "Z" else one for one in machine.axes)
-    monkeypatch.setattr(job, "load_machine", lambda name: replace(machine, axes=axes))
-    monkeypatch.setattr(options, "load_machine", lambda name: replace(machine, axes=axes))
+    for module in (job, options):
+        monkeypatch.setattr(module, "load_machine", lambda name: replace(machine, axes=axes))
     (told,) = (one for one in milled("trunnion_ac", **UPRIGHT).findings if one.code == "no-way-round")
     assert "farther" not in told.text
 
