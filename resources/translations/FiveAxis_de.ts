@@ -4840,8 +4840,8 @@
         <translation>Er liegt</translation>
     </message>
     <message>
-        <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero, where the tool sticks out {lengths}: {sides}.</source>
-        <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus, bei einer Auskragung des Werkzeugs von {lengths}: {sides}.</translation>
+        <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero, where the tool sticks out {length}: {sides}.</source>
+        <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus, bei einer Auskragung des Werkzeugs von {length}: {sides}.</translation>
     </message>
     <message>
         <source>Jog the tool high above the part, rotary axes at 0, before the first line.</source>

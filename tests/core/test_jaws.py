@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.studies.setup_map import jaws
 from freecad_fiveaxis.core.studies.study import try_setups
+from freecad_fiveaxis.core.toolpath.apt.writer import write_apt
 
 GIVEN = {
     "machine": "trunnion_ac", "cutter": "ball:6", "holder": "40x30", "passes": "planes",
@@ -70,7 +71,8 @@ def test_thin_jaws_reach_higher_than_thick_ones_under_a_holder_that_leans_over_t
     lowest = 3.0 + 12.0 * np.cos(np.radians(50.0)) - 20.0 * np.sin(np.radians(50.0))
     for side in ("-X", "+X"):
         assert tops(thick)[side] == pytest.approx(lowest, abs=0.15) and tops(thin)[side] == pytest.approx(0.0)
-    assert "Jaws 5 mm thick" in next(one.text for one in thin.findings if one.code == "jaws-free")
+    said = next(one.text for one in thin.findings if one.code == "jaws-free")
+    assert "Jaws 5 mm thick" in said and "sticks out 15 mm" in said
 
 
 @pytest.mark.parametrize("wrong", ["0", "-3", "20000", "thick"])
@@ -85,6 +87,23 @@ def test_a_fixture_that_is_hit_is_told_and_one_that_is_free_is_not(tmp_path):
     hit = charted(tmp_path, fixture=(vise(tmp_path, (-5, -5, 1), (5, 5, 20), "on.stl"),), gouge="off")
     told = [one for one in hit.findings if one.code == "fixture-collision"]
     assert bool(told) and "+X: Z -6 mm" in next(one.text for one in hit.findings if one.code == "jaws-free")
+
+
+def test_what_is_hit_of_a_fixture_is_told_of_a_cl_file_too_and_no_jaws_or_stick_out_are(tmp_path):
+    """Nobody knows the part there: a jaw beside it, or the holder over it, would be a guess."""
+    plain = {name: value for name, value in GIVEN.items() if name != "origin"}
+    made = job.make(build_settings("mill", "p.stl", plain | {"spindle": "off"}), mesh=stepped())
+    cutter = made.settings.cutter.cutter
+    (tmp_path / "x.apt").write_bytes(write_apt(made.path, cutter, "part"))
+    given = {
+        "machine": "trunnion_ac",
+        "holder": "40x30",
+        "fixture": (vise(tmp_path, (-5, -5, -9), (5, 5, 5), "in.stl"),),
+    }
+    chart = try_setups(build_settings("setup", str(tmp_path / "x.apt"), given | MAP)).chart
+    told = {one.code for one in chart.findings}
+    assert "fixture-collision" in told and chart.clamping.jaws == () and chart.stick_out is None
+    assert not told & {"jaws-free", "stick-out-enough", "stick-out-too-short"}
 
 
 def test_without_a_fixture_nothing_is_told(tmp_path):

@@ -93,8 +93,22 @@ def test_where_no_length_within_reason_helps_that_is_said_with_what_is_met():
     assert told.enough is None and told.longest == 130.0 and told.options == ()
     said = next(one for one in chart.findings if one.code == "no-stick-out-free")
     assert (
-        "up to 130 mm" in said.text and "holder goes at least" in said.text and "smaller holder" in said.text
+        "from that up to 130 mm" in said.text
+        and "holder goes at least" in said.text
+        and "smaller holder" in said.text
     )
+
+
+def test_what_only_comes_too_near_is_said_to_and_goes_into_nothing():
+    chart = found(wall(30.0), max_axis_angle=10.0, fixture_clearance=3.0)
+    said = next(one.text for one in chart.findings if one.code == "stick-out-enough")
+    assert chart.stick_out.shorter.near and chart.stick_out.shorter.depth == 0.0
+    assert "comes nearer to the part than the clearance" in said and "goes at least" not in said
+
+
+def test_no_tool_is_proposed_that_would_have_no_length():
+    told = found(plate(), max_axis_angle=10.0, tool_length=30.0).stick_out
+    assert float(dict(told.options).get("tool_length", 30.0)) >= 0.0 and told.enough >= 20.0
 
 
 def test_where_nothing_is_ever_met_only_the_rounded_end_of_the_cutter_limits_it():

@@ -11,7 +11,7 @@ top      the highest one, in STEPs, that cutter, shank, holder and spindle never
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -49,45 +49,35 @@ class Jaw:
 @dataclass(frozen=True)
 class Clamping:
     """``hits``: what is to be said of the fixtures, that are hit or come too near; ``jaws`` of the four
-    sides; ``thick`` mm: so thick these are, away from the part. ``stick_out`` (l,) mm: of tools that stick
-    out so far, each of them."""
+    sides; ``thick`` mm: so thick these are, away from the part. ``stick_out`` mm:
+    of the tool of which they are told."""
 
     hits: tuple[Finding, ...]
     jaws: tuple[Jaw, ...]
     thick: float
-    stick_out: tuple[float, ...]
+    stick_out: float
 
 
 def find_clamping(
-    stand: Standing, thick: float, progress: Progress = silent, lengths: Sequence[float] = (0.0,)
+    stand: Standing, thick: float, progress: Progress = silent, more: float = 0.0
 ) -> Clamping | None:
-    """Find what the tool hits of the fixtures, and how high jaws ``thick`` mm thick may reach, with tools
-    that stick out ``lengths`` mm farther than it does, each of them; of several the first hits. None where no
-    fixture is given; no jaws where the part is not known. Raises ReachError."""
-    part = stand.turned_part
+    """Find what the tool hits of the fixtures, and how high jaws ``thick`` mm thick may reach, with a tool
+    that sticks out ``more`` mm farther than it does. None where no fixture is given; no jaws where the part
+    is not known. Raises ReachError."""
     if not stand.fixtures:
         return None
-    quiet = _quiet(progress)
-    runs = [stand.run(more, progress) for more in lengths]
+    run, part, quiet = stand.run(more, progress), stand.turned_part, _quiet(progress)
     hits = check_fixtures(
-        stand.turned_fixtures, whole_tool(runs[0]), runs[0].kinematics, runs[0].program, stand.tolerance,
-        stand.back, quiet, clearance=stand.clearance,
+        stand.turned_fixtures, whole_tool(run), run.kinematics, run.program, stand.tolerance, stand.back,
+        quiet, clearance=stand.clearance,
     )  # fmt: skip
-    out = tuple(round(stand.stack.stick_out + more, 6) for more in lengths)
-    if part is None:
-        return Clamping(hits, (), thick, out)
-    jaws = [[_jaw(run, part.box, side, thick, quiet) for side in SIDES] for run in runs]
-    return Clamping(hits, tuple(map(_lower, *jaws)) if len(jaws) > 1 else tuple(jaws[0]), thick, out)
+    jaws = () if part is None else tuple(_jaw(run, part.box, side, thick, quiet) for side in SIDES)
+    return Clamping(hits, jaws, thick, round(run.stack.stick_out, 6))
 
 
 def whole_tool(run: Run) -> Body:
     """Return the tool, and what is round of the spindle."""
     return Body((*run.stack.body.pieces, *run.spindle.pieces))
-
-
-def _lower(one: Jaw, other: Jaw) -> Jaw:
-    """Return the jaw that is free with both tools."""
-    return min(one, other, key=lambda jaw: -np.inf if jaw.top is None else jaw.top)
 
 
 def _quiet(progress: Progress) -> Progress:
@@ -141,17 +131,11 @@ def clamping_findings(found: Clamping | None) -> Iterator[Finding]:
     sides = join_sentences([_words(jaw) for jaw in found.jaws], ", ")
     text = say(
         "Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its "
-        "work zero, where the tool sticks out {lengths}: {sides}.",
+        "work zero, where the tool sticks out {length}: {sides}.",
         thick=Length(found.thick, ".6g"), sides=sides,
-        lengths=_stick_outs(found.stick_out),
+        length=Length(found.stick_out, ".6g"),
     )  # fmt: skip
     yield report_finding(Code.JAWS_FREE, text, min(able, default=None))
-
-
-def _stick_outs(lengths: Sequence[float]) -> Sentence | Length:
-    """Return one length, or two of which either will do."""
-    first, last = Length(lengths[0], ".6g"), Length(lengths[-1], ".6g")
-    return say("{one} or {other}", one=first, other=last) if len(lengths) > 1 else first
 
 
 def _words(jaw: Jaw) -> Sentence:

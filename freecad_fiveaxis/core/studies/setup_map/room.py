@@ -20,18 +20,15 @@ def with_room(chart: SetupMap, stand: Standing, thick: float, progress: Progress
     """Add to a map with a recommended setup, which ``stand`` is, what the tool needs there, how high jaws
     ``thick`` mm thick may reach, and what is to be said of that."""
     stick_out = find_stick_out(stand, progress)
-    clamping = find_clamping(stand, thick, progress, _lengths(stick_out))
+    clamping = find_clamping(stand, thick, progress, _longer(stick_out))
     more = (*stick_out_findings(stick_out), *clamping_findings(clamping))
     return replace(chart, stick_out=stick_out, clamping=clamping, findings=(*chart.findings, *more))
 
 
-def _lengths(found: StickOut | None) -> tuple[float, ...]:
-    """How much farther the tool may stick out of which the jaws are told: as it is, if that is free, and as
-    is proposed."""
-    if found is None or found.enough is None:
-        return (0.0,)
-    proposed = found.enough - found.present
-    return (proposed,) if found.met is not None or not proposed else (0.0, proposed)
+def _longer(found: StickOut | None) -> float:
+    """How much farther the tool sticks out of which the jaws are told: not at all where it is free as it
+    is."""
+    return 0.0 if found is None or found.enough is None or found.met is None else found.enough - found.present
 
 
 def with_longer_tool(
