@@ -274,6 +274,41 @@ def test_hal_gives_the_script_its_settings_and_units_are_those_of_the_machine(wr
     assert len(import_machine(*write("trunnion", *radians, angles="rad")).machine.bodies) == 10
 
 
+def test_a_setting_that_is_no_number_may_be_anything(write):
+    """The script would take 2*40 for 80: what hangs on it is left out, not read as it was before."""
+    settled = "half = depth / 2 + 1\nfor setting in sys.argv[1:]: exec(setting)\n"
+    other = "for setting in sys.argv[1:]: exec(setting)\nhalf = depth / 2 + 1\n"
+    hal = HAL.replace("./mill.py", "./mill.py depth=2*40")
+    imported = import_machine(*write("trunnion", (settled, other), hal=hal))
+    (left,) = [found for found in imported.findings if found.code == "model-left-out"]
+    assert "CylinderZ(-half" in left.text
+    assert "platter" not in [body.name for body in imported.machine.bodies]
+
+
+def test_names_of_another_module_may_be_those_of_vismach(write):
+    swap = ("import hal, sys\n", "import hal, sys\nfrom OpenGL.GL import *\n")
+    assert len(import_machine(*write("trunnion", swap)).machine.bodies) == 10
+    with pytest.raises(MachineError, match="main"):
+        import_machine(*write("trunnion", ("import hal, sys\n", "import hal, sys\nfrom mine import *\n")))
+
+
+def test_a_word_of_hal_that_is_too_long_for_a_file_is_none(write, tmp_path):
+    write(hal=HAL + "loadusr " + 300 * "x" + "\n")
+    assert find_model(tmp_path / "m.ini") == tmp_path / "mill.py"
+
+
+def test_an_acceleration_that_cannot_be_is_not_taken(write, tmp_path):
+    source, model = write()
+    for text in ("0", "-5", "abc", "1e999"):
+        ini = (tmp_path / "m.ini").read_text(encoding="utf-8")
+        (tmp_path / "m.ini").write_text(
+            ini.replace("MAX_VELOCITY = 50\n", f"MAX_VELOCITY = 50\nMAX_ACCELERATION = {text}\n")
+        )
+        machine = import_machine(source, model).machine
+        assert all(np.isinf(axis.max_acceleration) for axis in machine.axes)
+        write()
+
+
 def test_the_model_that_hal_starts_is_found(write, tmp_path):
     source, model = write()
     assert find_model(tmp_path / "m.ini") == tmp_path / "mill.py"
@@ -305,6 +340,13 @@ def test_pins_of_which_no_hal_file_speaks_are_axes_by_their_names_alone(write):
         (("300, 300, 0)\n", "300, 300, 0)\nif wide:\n    bed.parts = []\n"), "line 43 may have changed"),
         (("300, 300, 0)\n", "300, 300, 0)\nenlarge(bed)\n"), "line 43 may have changed"),
         (("300, 300, 0)\n", "300, 300, 0)\ndef grow():\n    bed.coords = None\n"), "line 43 may have changed"),
+        (("300, 300, 0)\n", "300, 300, 0)\nall_ = [bed]\nenlarge(all_)\n"), "line 44 may have changed"),
+        (("300, 300, 0)\n", "300, 300, 0)\nall_ = [bed]\nbed = Collection(all_)\nall_ += [tip]\n"), "line 45 may have changed"),
+        (("300, 300, 0)\n", "300, 300, 0)\ndef f(): all_.pop()\nall_ = [bed]\nbed = Collection(all_)\nall_ = None\n"), "line 43 may have changed"),
+        (("bed = Box(-300", "wide = 300\ndef f():\n    global wide\n    wide = 5\nbed = Box(-wide"), "Box(-wide"),
+        (("300, 300, 0)\n", "300, 300, 0)\ntry: f()\nexcept Exception as bed: pass\n"), "try:"),
+        (("300, 300, 0)\n", "300, 300, 0)\nmatch f():\n    case bed: pass\n"), "match f()"),
+        (("300, 300, 0)\n", "300, 300, 0)\nbed = 0x" + 4000 * "F" + "\n"), "Constant"),
         (("300, 300, 0)\n", "300, 300, 0)\nbed = HalTranslate([bed], gui, 'x', -2, 0, 0)\n"), "moves by 2 times X"),
         (("300, 300, 0)\n", "300, 300, 0)\nbed = HalTranslate([bed], gui, 'x', 0, 1, 0)\n"), "moves by X as neither"),
         (("300, 300, 0)\n", "300, 300, 0)\nbed = Rotate([bed], 90, 0, 0, 0)\n"), "turns about no direction"),

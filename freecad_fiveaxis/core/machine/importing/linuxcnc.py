@@ -209,7 +209,7 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
     low = max(_numbers(ini, joint, letter, "MIN_LIMIT", both=rotary))
     high = min(_numbers(ini, joint, letter, "MAX_LIMIT", both=rotary))
     rate = min(_numbers(ini, joint, letter, "MAX_VELOCITY", both=True))
-    acceleration = scale * min(_read_numbers(ini, joint, letter, "MAX_ACCELERATION"), default=math.inf)
+    acceleration = scale * _acceleration(ini, joint, letter)
     most = UNLIMITED / (angle if rotary else length)
     low, high = (-math.inf if low <= -most else low * scale), (math.inf if high >= most else high * scale)
     try:
@@ -221,6 +221,16 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
         raise MachineError(
             say("{path}: [JOINT_{joint}], {error}", path=ini.path, joint=joint, error=error), error.value
         ) from error
+
+
+def _acceleration(ini: IniFile, joint: int, letter: str) -> float:
+    """Return the lower of both that the ini file says; without a limit where it says none that can be one:
+    nothing reckons with it, and a file that LinuxCNC takes is not to be refused for it."""
+    try:
+        found = min(_read_numbers(ini, joint, letter, "MAX_ACCELERATION"), default=math.inf)
+    except MachineError:
+        return math.inf
+    return found if found > 0.0 else math.inf
 
 
 def _numbers(ini: IniFile, joint: int, letter: str, key: str, both: bool) -> list[float]:

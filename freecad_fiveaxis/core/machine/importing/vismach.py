@@ -15,6 +15,7 @@ agree     order and sides of the rotary axes must be those of the kinematics. Di
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -136,7 +137,7 @@ def find_model(ini: Path) -> Path | None:
             file = ini.parent / word
             if (
                 not word.startswith("-")
-                and file.is_file()
+                and os.path.isfile(file)  # of a name that is too long, too
                 and b"vismach" in read_bytes(file, "vismach model")
             ):
                 return file

@@ -30,6 +30,8 @@ MODULES = ("vismach", "qt_vismach")
 """The last part of the names of the modules that have the parts."""
 AT_WILL = {"exec", "eval", "globals", "locals", "vars", "setattr", "compile", "__import__"}
 """Whoever calls these may change any name."""
+KNOWN = {"OpenGL", "math", "numpy", "hal", "linuxcnc", "rs274"}
+"""Packages of which it is known that they have none of vismach's names, whoever imports all of theirs."""
 HARMLESS = {"set_volume", "newpin", "newparam", "ready"}
 """Methods that move no part."""
 
@@ -85,8 +87,10 @@ class _Script:
     of_vismach: dict[str, str] = field(default_factory=dict)
     """Names of parts, as the script calls them."""
     modules: set[str] = field(default_factory=set)
-    in_functions: list[tuple[str, int]] = field(default_factory=list)
-    """Names that functions use, and their lines."""
+    in_functions: dict[str, int] = field(default_factory=dict)
+    """Names that functions use, and their lines: whoever calls one may change what any of them ever was."""
+    set_by_functions: dict[str, Unread] = field(default_factory=dict)
+    """Names that functions set for the whole script."""
 
     def run(self, body: Sequence[ast.stmt]) -> None:
         """Take statements one after the other."""
@@ -104,9 +108,9 @@ class _Script:
                     self._assign(target, found)
             case ast.AnnAssign(target=target, value=ast.expr() as value):
                 self._assign(target, self._value(value))
-            case ast.AugAssign(target=ast.Name(id=name), op=op, value=value) if isinstance(
-                self.names.get(name), float
-            ):
+            case ast.AugAssign(target=ast.Name(id=name), op=op, value=value) if name not in (
+                self.set_by_functions
+            ) and isinstance(self.names.get(name), float):
                 self.names[name] = _arithmetic(one, op, self.names[name], self._value(value))
             case ast.Import() | ast.ImportFrom():
                 self._import(one)
@@ -122,7 +126,7 @@ class _Script:
         if isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
             self._define(one)
         elif isinstance(one, ast.For) and _is_settings(one):
-            self._set()
+            self._set(one)
         elif not (isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant)):
             self._spoil(one)
 
@@ -134,6 +138,8 @@ class _Script:
                 self.names[name] = found
                 if isinstance(found, Part) and not found.label:
                     found.label = name
+                if name in self.in_functions:
+                    _mark(found, self.in_functions[name])
             case ast.Tuple(elts=places) | ast.List(elts=places) if (
                 isinstance(found, Listing)
                 and len(found.items) == len(places)
@@ -158,6 +164,8 @@ class _Script:
                 self.of_vismach |= found
                 for name in found:
                     self.names.pop(name, None)
+        elif any(alias.name == "*" for alias in one.names) and (one.module or "").split(".")[0] not in KNOWN:
+            self.names, self.of_vismach = dict.fromkeys(self.names, unread(one)), {}
         else:
             self.names |= {alias.asname or alias.name: unread(one) for alias in one.names}
 
@@ -170,38 +178,45 @@ class _Script:
         elif not (isinstance(call.func, ast.Attribute) and call.func.attr in HARMLESS):
             self._spoil(call)
 
-    def _set(self) -> None:
-        """Take what HAL gives the script on its line, where the script takes it."""
+    def _set(self, loop: ast.For) -> None:
+        """Take what HAL gives the script on its line, where the script takes it; what is no number there may
+        be anything."""
         for name, text in self.settings.items():
             try:
-                number = float(text)
+                self.names[name.strip()] = _finite(loop, float(text))
             except ValueError:
-                continue
-            self.names[name.strip()] = number
+                self.names[name.strip()] = unread(loop)
 
     def _define(self, one: ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) -> None:
         self.names[one.name] = unread(one)
         for node in ast.walk(one):
             if isinstance(node, ast.Name):
-                self.in_functions.append((node.id, one.lineno))
+                self.in_functions.setdefault(node.id, one.lineno)
+                _mark(self.names.get(node.id), one.lineno)
             elif isinstance(node, ast.Global):
-                self.in_functions += [(name, one.lineno) for name in node.names]
+                self.set_by_functions |= dict.fromkeys(node.names, unread(one))
 
     def spoil_by_functions(self) -> None:
         """Spoil the parts whose names functions use: they may have been called, and change them."""
-        for name, line in self.in_functions:
+        for name, line in self.in_functions.items():
             _mark(self.names.get(name), line)
 
     def _spoil(self, one: ast.AST) -> None:
         """Take a statement that is not plain: names that it sets are unread, parts that it names spoilt."""
-        line = getattr(one, "lineno", 1)
+        line, gone = getattr(one, "lineno", 1), unread(one)
         for node in ast.walk(one):
             if isinstance(node, ast.Name) and node.id in AT_WILL:
-                self.names = dict.fromkeys(self.names, unread(one))
+                self.names = dict.fromkeys(self.names, gone)
+            elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
+                _mark(self.names.get(node.target.id), line)
             elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
                 _mark(self.names.get(node.id), line)
             elif isinstance(node, ast.Name):
-                self.names[node.id] = unread(one)
+                self.names[node.id] = gone
+            elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
+                self.names[node.name] = gone
+            elif isinstance(node, ast.MatchMapping) and node.rest:
+                self.names[node.rest] = gone
             elif isinstance(node, ast.FunctionDef | ast.ClassDef):
                 self._define(node)
             elif isinstance(node, ast.Import | ast.ImportFrom):
@@ -236,6 +251,8 @@ class _Script:
         return unread(node)
 
     def _read_name(self, node: ast.expr, name: str) -> Any:
+        if name in self.set_by_functions:
+            return self.set_by_functions[name]
         if name in self.names:
             return self.names[name]
         return math.pi if name == "pi" and self.of_vismach else unread(node)
@@ -243,7 +260,8 @@ class _Script:
     def _callee(self, func: ast.expr) -> str:
         """Return vismach's name of what is called, ``hal.component``, or nothing."""
         if isinstance(func, ast.Name):
-            return "" if func.id in self.names else self.of_vismach.get(func.id, "")
+            set_otherwise = func.id in self.names or func.id in self.set_by_functions
+            return "" if set_otherwise else self.of_vismach.get(func.id, "")
         if isinstance(func, ast.Attribute):
             module = ast.unparse(func.value)
             return func.attr if module in self.modules else f"{module}.{func.attr}"
@@ -292,11 +310,21 @@ def _is_settings(loop: ast.For) -> bool:
     return (
         ast.unparse(loop.iter) == "sys.argv[1:]"
         and len(body) == len(loop.body)
+        and "exec" in called
         and set(called) <= {"exec", "print"}
         and not loop.orelse
     )
 
 
 def _mark(value: Any, line: int) -> None:
-    if isinstance(value, Listing) or (isinstance(value, Part) and value.kind != "Capture"):
-        value.spoilt = value.spoilt or line
+    """Spoil a part or a list, and all that is in it."""
+    left, seen = [value], set[int]()
+    while left:
+        one = left.pop()
+        if id(one) in seen or not isinstance(one, Listing | Part):
+            continue
+        seen.add(id(one))
+        if isinstance(one, Listing) or one.kind != "Capture":
+            one.spoilt = one.spoilt or line
+        inner = one.items if isinstance(one, Listing) else one.given.values()
+        left.extend(inner)

@@ -99,5 +99,8 @@ def unread(node: ast.AST) -> Unread:
 
 def _text(node: ast.AST) -> str:
     """Return the beginning of what stands there, on one line."""
-    text = " ".join(ast.unparse(node).split())
+    try:
+        text = " ".join(ast.unparse(node).split())
+    except (ValueError, RecursionError):  # a number of thousands of digits
+        text = type(node).__name__
     return text if len(text) <= 40 else text[:37] + "..."
