@@ -134,7 +134,7 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
         math.radians(120.0),
     )
     given = {"machine": "trunnion_ac", "stepover": 12.0}
-    asked = {"grid": "1,1,1", "region": "30,30,0", "turns": 3}
+    asked = {"grid": "1,1,1", "region": "30,30,0", "turns": 3, "gouge": "off"}
     chart = trials.try_setups(build_settings("setup", "cap.stl", given | asked), mesh=off).chart
     row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
