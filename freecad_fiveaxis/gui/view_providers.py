@@ -155,13 +155,13 @@ class DrawnView(View):
     def restyle(self) -> None:
         """Draw anew what is drawn, in other colours or sizes."""
 
-    def find_picked(self, point: Any) -> int | None:
+    def find_picked_marker(self, point: Any) -> int | None:
         """Return the row of the marker that a picked point lies on."""
         raise NotImplementedError
 
     def getElementPicked(self, point: Any) -> str:
         """Return the name of what was clicked: a marker is a sub-element."""
-        row = self.find_picked(point)
+        row = self.find_picked_marker(point)
         return "" if row is None else f"Marker{row + 1}"
 
     def getDetailPath(self, name: str, path: Any, append: bool) -> bool:
@@ -273,9 +273,9 @@ class PathView(DrawnView):
         if self.picture is not None:
             self.picture.styled = False
 
-    def find_picked(self, point: Any) -> int | None:
+    def find_picked_marker(self, point: Any) -> int | None:
         """Return the row of the marker that a picked point lies on."""
-        return None if self.picture is None else self.picture.nodes.marks.find_picked(point)
+        return None if self.picture is None else self.picture.nodes.marks.find_picked_marker(point)
 
     def setEdit(self, vobj: Any, mode: int = 0) -> bool:
         """Open the panel."""
@@ -333,9 +333,9 @@ class MarkersView(PictureView):
         if self.obj.Path is not None:
             redraw.soon(self.obj.Path.ViewObject.Proxy)  # the path leaves marks and label to this object
 
-    def find_picked(self, point: Any) -> int | None:
+    def find_picked_marker(self, point: Any) -> int | None:
         """Return the row of the marker that a picked point lies on."""
-        return None if self.picture is None else self.picture.marks.find_picked(point)
+        return None if self.picture is None else self.picture.marks.find_picked_marker(point)
 
     def path_object(self) -> Any:
         """Return the path that is marked."""

@@ -474,7 +474,7 @@ def test_a_marker_is_found_under_the_mouse(behind, dome, scene):
         action.apply(root)
         point = action.getPickedPoint()
         if point is not None:
-            found.append(np.linalg.norm(places[made.find_picked(point)][:2] - places[row][:2]))
+            found.append(np.linalg.norm(places[made.find_picked_marker(point)][:2] - places[row][:2]))
     assert len(found) == len(range(0, len(places), 7))
     assert max(found) < 1.5  # mm: a neighbour that covers it
 

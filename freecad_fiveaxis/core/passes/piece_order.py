@@ -73,7 +73,7 @@ def air(ends: Floats, tour: Tour) -> float:
 def find_tour(ends: Floats) -> Tour:
     """Begin with the first piece as it is, go to the nearest end that is left, again and again; then turn
     stretches round."""
-    return _turn_stretches(ends, _nearest(ends))
+    return _improve_tour(ends, _nearest(ends))
 
 
 def _doors(ends: Floats, tour: Tour) -> tuple[Floats, Floats]:
@@ -104,7 +104,7 @@ def _nearest(ends: Floats) -> Tour:
     return Tour(entered >> 1, (entered & 1).astype(bool))
 
 
-def _turn_stretches(ends: Floats, tour: Tour) -> Tour:
+def _improve_tour(ends: Floats, tour: Tour) -> Tour:
     """2-opt: of each piece the stretch behind it whose turning saves most; ``tour`` is changed in place."""
     for _ in range(TURNS):
         saved, doors = 0.0, _doors(ends, tour)

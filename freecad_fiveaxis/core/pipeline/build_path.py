@@ -34,7 +34,7 @@ from .settings.tree import FROM_AXIS
 def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
     """Set the cutter on every contact, leave out what would enter where that is asked for, and link the
     passes over the part."""
-    path, left_out = _link_seated(context, passes.cut, passes.corrected)
+    path, left_out = _link_free_contacts(context, passes.cut, passes.corrected)
     entering = AIM * context.settings.proof.tolerance if left_out else 0.0
     return LinkedPath(**vars(passes), path=path, cured=left_out, entering=entering)
 
@@ -42,10 +42,10 @@ def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
 def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     """Return the CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``:
     the cutter sits anew on each of them, whatever led its axis there."""
-    return _link_seated(context, offset, axis)[0]
+    return _link_free_contacts(context, offset, axis)[0]
 
 
-def _link_seated(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool]:
+def _link_free_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool]:
     """Return the same, and whether rows were left out because the tool would enter the part there."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     options = LinkOptions(

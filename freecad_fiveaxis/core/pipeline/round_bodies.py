@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, chain, joint_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.joint_path.plan import LINEAR_SLACK
 from freecad_fiveaxis.core.motion.program import build_program
-from freecad_fiveaxis.core.tool.body import body_of
+from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
 
 from .context import MillContext
 from .options import rapids_of, resolve_setup, tip_to_driven, tool_body
@@ -141,12 +141,12 @@ def _is_within_travel(kinematics: Chain, q: Floats) -> bool:
 
 def _stick_out(context: MillContext, given: InMachine, more: float) -> InMachine:
     """Return the same with a tool that sticks out ``more`` mm farther."""
-    gouge, cutter = context.settings.gouge, context.settings.cutter.cutter
-    width = gouge.shank[-1][0] if gouge.shank else cutter.diameter
+    gouge = context.settings.gouge
+    stack = Stack(context.settings.cutter.cutter, gouge.shank, gouge.holder)
     setup = replace(given.setup, tool_length=given.setup.tool_length + more)
     new, old = chain(given.machine, setup), given.kinematics
     low, high = np.append(new.low[:3], old.low[3:]), np.append(new.high[:3], old.high[3:])
-    body = body_of(cutter, (*gouge.shank, (width, more)), gouge.holder)
+    body = clamp_tool(stack, stack.stick_out + more).body
     kinematics, length = replace(new, low=low, high=high), (given.length or 0.0) + more
     return replace(given, setup=setup, kinematics=kinematics, body=body, length=length)
 

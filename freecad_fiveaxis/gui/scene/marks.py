@@ -197,7 +197,7 @@ class Marks:
         separator.renderCaching = coin.SoSeparator.OFF
         self.drawn.addChild(separator)
 
-    def find_picked(self, point: Any) -> int | None:
+    def find_picked_marker(self, point: Any) -> int | None:
         """Return the row of the marker that a picked point (SoPickedPoint) lies on."""
         tail = point.getPath().getTail()
         named = _NAME.match(tail.getName().getString())

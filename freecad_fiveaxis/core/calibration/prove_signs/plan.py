@@ -104,7 +104,7 @@ def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
     last = _last_pose(kinematics, wishes, both, distance)[None]
     right = forward(kinematics, last)[0][0]
     predicted_errors = tuple((one.text, one.reach(last)[0][0] - right) for one in wrong)
-    findings = (*_report_unasked(wishes), *_findings(predicted_errors))
+    findings = (*_report_missing_mark(wishes), *_findings(predicted_errors))
     return Plan(machine, kinematics, wishes, stops, height, distance, predicted_errors, findings)
 
 
@@ -308,7 +308,7 @@ def _check_limits(kinematics: Chain, q: Floats) -> None:
         )
 
 
-def _report_unasked(wishes: Wishes) -> list[Finding]:
+def _report_missing_mark(wishes: Wishes) -> list[Finding]:
     """Return what must be true where nobody has said how high part and clamps reach."""
     if wishes.mark is not None:
         return []
