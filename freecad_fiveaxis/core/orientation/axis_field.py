@@ -19,6 +19,7 @@ edge. Last, what is not free takes a free direction.
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass, replace
 from typing import Any
@@ -94,6 +95,9 @@ BATCH = 16384
 IN_CACHE = 256
 """Places at a time whose cosines to all directions are compared."""
 
+BARRED = -4.0
+"""Stands for the cosine to what is not free: with any cosine added it stays below all of them."""
+
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
@@ -137,6 +141,11 @@ class Freedom:
     free: Bools
     upright: Bools
     met: Ints
+
+    @functools.cached_property
+    def barred(self) -> Floats:
+        """Summands (n, d) to cosines that leave none that is not free above BARRED / 2."""
+        return np.where(self.free, 0.0, BARRED)
 
     @property
     def some(self) -> Bools:
@@ -364,26 +373,26 @@ def _set_cover(normal: Floats, freedom: Freedom) -> Ints:
 def nearest_free(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Floats, Bools]:
     """Find the free direction (n, 3) nearest to unit ``axis`` (n, 3), and where there is one (n,); elsewhere
     the axis stays."""
-    found, got = np.array(axis, float), np.zeros(len(axis), np.bool_)
+    if not len(freedom.direction):
+        return np.where(freedom.upright[:, None], normal, axis), freedom.upright.copy()
+    best, cosine = _find_nearest(axis, freedom)
+    upright = np.where(freedom.upright, (axis * normal).sum(axis=1), BARRED)
+    got = np.maximum(cosine, upright) > 0.5 * BARRED
+    found = np.where((upright > cosine)[:, None], normal, freedom.direction[best])
+    return np.where(got[:, None], found, axis), got
+
+
+def _find_nearest(axis: Floats, freedom: Freedom) -> tuple[Ints, Floats]:
+    """Find which direction (n,) is nearest to each axis, and the cosine to it (n,), below BARRED / 2 where
+    none is free; so many at a time that their table of cosines stays in the processor's cache."""
+    best, cosine = np.empty(len(axis), np.int64), np.empty(len(axis))
     for first in range(0, len(axis), IN_CACHE):
         rows = slice(first, first + IN_CACHE)
-        some = Freedom(freedom.direction, freedom.free[rows], freedom.upright[rows], freedom.met[rows])
-        found[rows], got[rows] = _nearest_of_few(axis[rows], normal[rows], some)
-    return found, got
-
-
-def _nearest_of_few(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Floats, Bools]:
-    """:func:`nearest_free` for so many that their table (n, d) of cosines stays in the processor's cache."""
-    along = np.where(freedom.free, axis @ freedom.direction.T, -2.0)
-    along = np.concatenate(
-        [along, np.where(freedom.upright, (axis * normal).sum(axis=1), -2.0)[:, None]], axis=1
-    )
-    best = along.argmax(axis=1)
-    got, own = along.max(axis=1) > -2.0, best == len(freedom.direction)
-    found = np.where(
-        own[:, None], normal, freedom.direction[np.where(own, 0, best)] if len(freedom.direction) else normal
-    )
-    return np.where(got[:, None], found, axis), got
+        along = axis[rows] @ freedom.direction.T
+        along += freedom.barred[rows]
+        best[rows] = along.argmax(axis=1)
+        cosine[rows] = along[np.arange(len(along)), best[rows]]
+    return best, cosine
 
 
 def _smooth_field(
