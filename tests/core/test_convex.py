@@ -12,7 +12,14 @@ from scipy.spatial.transform import Rotation
 from test_machine_bodies import MACHINES
 
 from freecad_fiveaxis.core.geometry import convex
-from freecad_fiveaxis.core.geometry.convex import Poses, convex_hull, find_gaps, nearest_weights, support_gap
+from freecad_fiveaxis.core.geometry.convex import (
+    Poses,
+    convex_hull,
+    find_gaps,
+    find_met_poses,
+    nearest_weights,
+    support_gap,
+)
 from freecad_fiveaxis.core.geometry.solids import frustum_facets
 from freecad_fiveaxis.core.gouge import carried_motion
 from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion, steps_between
@@ -69,6 +76,50 @@ def test_a_search_that_takes_no_inside_of_a_simplex_would_be_noticed(monkeypatch
     )
     with pytest.raises(AssertionError):
         compare(120)
+
+
+SHEET = convex_hull(
+    np.array([[-60.0, -40.0, 0.0], [60.0, -40.0, 0.0], [60.0, 40.0, 0.0], [-60.0, 40.0, 0.0]])
+)
+DISC = convex_hull(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 60.0]]), 25.0)
+
+
+def tell_meetings(one, other, within, count=200):
+    """What is told, and whether the pieces really are so near; but for those that are so to 0.01 mm."""
+    rng, turns = np.random.default_rng(5), Rotation.random(count, random_state=5).as_matrix()
+    shifts = rng.uniform(-130.0, 130.0, (count, 3))
+    told = find_met_poses(one, other, Poses(turns, shifts), within)
+    real = [apart(one, other, turn, shift) for turn, shift in zip(turns, shifts, strict=True)]
+    gap = np.array([-1.0 if met else distance for distance, met in real]) - one.round - other.round
+    sure = np.abs(gap - within) > 0.01
+    return told[sure], (gap <= within)[sure]
+
+
+@pytest.mark.parametrize("within", [0.0, 7.0])
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [(BAR, CONE), (CONE, BAR), (BAR, SHEET), (SHEET, BAR), (DISC, CONE), (BAR, DISC)],
+    ids=["bar-cone", "cone-bar", "bar-sheet", "sheet-bar", "disc-cone", "bar-disc"],
+)
+def test_pieces_meet_exactly_where_least_squares_say_so(one, other, within):
+    told, real = tell_meetings(one, other, within)
+    assert (told == real).all() and real.any() and not real.all()
+
+
+@pytest.mark.parametrize("name", ["reach", "inmost"])
+def test_balls_that_are_too_small_or_too_large_would_be_noticed(name, monkeypatch):
+    one, other = convex_hull(BAR.corner), convex_hull(CONE.corner)
+    for piece in (one, other):
+        value = 0.5 * piece.reach if name == "reach" else (piece.inmost[0], 3.0 * piece.inmost[1])
+        monkeypatch.setitem(piece.__dict__, name, value)
+    told, real = tell_meetings(one, other, 0.0)
+    assert (told != real).any()
+
+
+def test_a_piece_faces_a_point_by_the_plane_that_the_point_is_farthest_outside_of():
+    ways = BAR.facing(np.array([(0.0, 0.0, 11.0), (-60.0, 21.0, 5.0), (1.0, -25.0, 0.0)]))
+    assert np.allclose(ways, [(0, 0, 1), (-1, 0, 0), (0, -1, 0)], atol=1e-12)
+    assert np.allclose(SHEET.facing(np.array([(0.0, 3.0, 4.0)])), [(0.0, 0.6, 0.8)])
 
 
 def test_two_boxes_side_by_side_corner_to_corner_and_in_each_other():

@@ -72,6 +72,14 @@ class Convex:
         found = linprog((0, 0, 0, -1), table, -self.plane[:, 3], bounds=[(None, None)] * 3 + [(0, None)])
         return (np.asarray(found.x[:3]), float(found.x[3])) if found.status == 0 else (self.middle, 0.0)
 
+    def facing(self, point: Floats) -> Floats:
+        """Give the normals (n, 3) of the planes that points (n, 3) mm are farthest outside of; without
+        planes, the way from the middle."""
+        if len(self.plane):
+            return np.asarray(self.plane[(point @ self.plane[:, :3].T + self.plane[:, 3]).argmax(axis=1), :3])
+        way = point - self.middle
+        return np.asarray(way / np.maximum(np.linalg.norm(way, axis=1), NOTHING)[:, None])
+
     def pare(self, by: float) -> Convex:
         """Give what lies deeper than ``by`` mm in the hull, which must be less than ``inmost``."""
         from scipy.spatial import HalfspaceIntersection
@@ -108,6 +116,10 @@ class Poses(NamedTuple):
         """Pick some of them."""
         return Poses(self.turn[rows], self.shift[rows])
 
+    def place(self, point: Floats) -> Floats:
+        """Return where (n, 3) mm a point (3,) of the moved piece is, seen from the standing one."""
+        return np.asarray(self.turn @ point + self.shift)
+
 
 class Gaps(NamedTuple):
     """Of n poses: ``way`` (n, 3), the unit direction from the standing piece to the moved one along which
@@ -135,6 +147,25 @@ def find_gaps(
         rows = np.arange(first, min(first + step, count))
         _search(_Simplices.of(moved, standing, poses.take(rows), rows, guess[rows]), off, need, found)
     return found
+
+
+def find_met_poses(moved: Convex, standing: Convex, poses: Poses, within: float) -> Bools:
+    """Tell in which poses (n,) two pieces are not proven to be more than ``within`` mm apart. Balls about
+    them, balls in them and the way between their middles decide most."""
+    middle = poses.place(moved.middle)
+    way = middle - standing.middle
+    apart = np.linalg.norm(way, axis=1)
+    (deepest, depth), (other, other_depth) = moved.inmost, standing.inmost
+    inner = np.linalg.norm(poses.place(deepest) - other, axis=1)
+    met = inner < depth + other_depth + moved.round + standing.round + within
+    rows = np.flatnonzero(~met & (apart <= moved.reach + standing.reach + within))
+    g = way[rows] / np.maximum(apart[rows], NOTHING)[:, None]
+    rows = rows[~(support_gap(moved, standing, poses.take(rows), g) > within)]
+    gaps = find_gaps(
+        moved, standing, poses.take(rows), within, np.zeros(len(rows)), standing.facing(middle[rows])
+    )
+    met[rows] = ~(gaps.least > 0.0)
+    return np.asarray(met)
 
 
 def support_gap(

@@ -20,7 +20,7 @@ by at most ``phi_i d_i lever``. So along any direction g no point goes farther t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple
@@ -110,24 +110,37 @@ class CarriedMotion:
 
     def lines(self, middle: Floats) -> Lines:
         """Place the moved piece at joints ``middle`` (n, k), mm and rad."""
-        count = len(middle)
-        turn, shift = np.broadcast_to(np.eye(3), (count, 3, 3)), np.zeros((count, 3))
+        count, (*before, (turn, shift)) = len(middle), self._frames(middle)
         directions, points = np.zeros((2, len(self.steps), count, 3))
-        for k, (axis, sign) in enumerate(self.steps):
-            direction, point = np.array(axis.direction), np.array(axis.point)
-            directions[k], points[k] = turn @ direction, turn @ point + shift
-            if axis.rotary:
-                new = _turns(direction, sign * middle[:, k])
-                shift = shift + np.matmul(turn, (point - new @ point)[:, :, None])[:, :, 0]
-                turn = np.matmul(turn, new)
-            else:
-                shift = shift + sign * middle[:, k, None] * directions[k]
-            directions[k] *= sign
+        for k, ((axis, sign), frame) in enumerate(zip(self.steps, before, strict=True)):
+            directions[k] = sign * (frame.turn @ np.array(axis.direction))
+            points[k] = frame.place(np.array(axis.point))
         lever = np.ones((len(self.steps), count))
         off = turn @ self.moved.middle + shift - points
         across = off - (off * directions).sum(axis=2)[:, :, None] * directions
         lever[self.rotary] = np.linalg.norm(across[self.rotary], axis=2) + self.moved.reach
         return Lines(Poses(turn, shift), directions, points, lever)
+
+    def place(self, joints: Floats) -> Poses:
+        """Tell where the moved piece stands at ``joints`` (n, k), mm and rad, seen from the standing one."""
+        *_, last = self._frames(joints)
+        return last
+
+    def _frames(self, joints: Floats) -> Iterator[Poses]:
+        """Give the poses before each step, and after the last."""
+        turn, shift = np.broadcast_to(np.eye(3), (len(joints), 3, 3)), np.zeros((len(joints), 3))
+        yield Poses(turn, shift)
+        turned = False
+        for k, (axis, sign) in enumerate(self.steps):
+            direction, by = np.array(axis.direction), sign * joints[:, k]
+            if axis.rotary:
+                new, point = _turns(direction, by), np.array(axis.point)
+                arm = point - new @ point
+                shift = shift + (np.matmul(turn, arm[:, :, None])[:, :, 0] if turned else arm)
+                turn, turned = np.matmul(turn, new) if turned else new, True
+            else:
+                shift = shift + by[:, None] * (turn @ direction)
+            yield Poses(turn, shift)
 
     def travel(self, lines: Lines, half: Floats) -> tuple[Floats, Floats]:
         """Tell by how much no point of the moved piece goes farther in cells of ``half`` (n, k) than its

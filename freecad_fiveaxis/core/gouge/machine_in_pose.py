@@ -25,7 +25,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.geometry.convex import Convex, find_gaps
+from freecad_fiveaxis.core.geometry.convex import Convex, find_met_poses
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import (
@@ -127,9 +127,9 @@ class PairInPose:
         """Tell where (n,) they do, all joints (n, 5) in mm and rad."""
         joints, met = off[:, self.at], np.zeros(len(off), np.bool_)
         rows = np.flatnonzero(~self._is_proven(joints)) if self.turned else np.arange(len(off))
-        poses, guess = self.motion.lines(joints[rows]).poses, np.tile((0.0, 0.0, 1.0), (len(rows), 1))
-        gaps = find_gaps(self.motion.moved, self.standing, poses, self.within, np.zeros(len(rows)), guess)
-        met[rows] = ~(gaps.least > 0.0)
+        met[rows] = find_met_poses(
+            self.motion.moved, self.standing, self.motion.place(joints[rows]), self.within
+        )
         return met
 
     def _is_proven(self, joints: Floats) -> Bools:
