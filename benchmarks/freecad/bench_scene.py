@@ -6,7 +6,7 @@ path    the whole picture of a path, to the bare lines of its strokes
 map     a map of rest material, to its bare facets
 labels  eight labels and two legends, one of them seen, over a ball, to the ball alone
 play    a machine of half a million facets, while it stands (all of them) and while it moves (its coarser
-        copy), an empty view beside, to its bare facets that stand still; and what a step takes besides drawing
+        copy), and an empty view, to its bare facets; and what a step takes besides drawing
 
 A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no
 graphics card.

@@ -53,7 +53,7 @@ def _number_corners(mesh: Mesh, parting: Bools) -> Ints:
     local = np.zeros(len(at), np.int64)
     local[loose] = np.arange(len(loose))
     edge = np.flatnonzero(~parting & touched[mesh.coedge_vertex].any(axis=1))
-    one, other = (part[touched[at[part]]] for part in _joined_corners(mesh, edge))
+    one, other = (part[touched[at[part]]] for part in _pair_corners(mesh, edge))
     graph = scipy.sparse.coo_matrix((np.ones(len(one)), (local[one], local[other])), (len(loose), len(loose)))
     number = at.copy()
     number[loose] = len(mesh.vertex) + scipy.sparse.csgraph.connected_components(graph, directed=False)[1]
@@ -62,7 +62,7 @@ def _number_corners(mesh: Mesh, parting: Bools) -> Ints:
     return np.asarray((np.cumsum(used) - 1)[number])
 
 
-def _joined_corners(mesh: Mesh, edge: Ints) -> tuple[Ints, Ints]:
+def _pair_corners(mesh: Mesh, edge: Ints) -> tuple[Ints, Ints]:
     """Return the corners (2 e,) on the one side of edges and those on the other, at the same vertices."""
     (one, first), (other, second) = (
         (facet, (mesh.face_coedge[facet] == edge[:, None]).argmax(axis=1))

@@ -78,7 +78,7 @@ class DrawnMesh:
     @property
     def reduced(self) -> bool:
         """Whether the copy is drawn."""
-        return nodes.chosen(self._faces) == 1
+        return nodes.get_choice(self._faces) == 1
 
 
 class DrawnFixtures:

@@ -112,11 +112,11 @@ def choice(*children: Any) -> Any:
 
 def choose(node: Any, child: int) -> None:
     """Draw another child of a choice. A choice that stays is not touched: what is cached of it stays too."""
-    if chosen(node) != child:
+    if get_choice(node) != child:
         node.whichChild = child
 
 
-def chosen(node: Any) -> int:
+def get_choice(node: Any) -> int:
     """Return which child of a choice is drawn."""
     return int(node.whichChild.getValue())
 
