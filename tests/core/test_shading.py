@@ -6,7 +6,7 @@ import pytest
 from mesh_shapes import box, field, sphere
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
-from freecad_fiveaxis.core.geometry.shading import shade
+from freecad_fiveaxis.core.geometry.shading import order_outward, shade
 from freecad_fiveaxis.core.geometry.solids import frustum_facets
 from freecad_fiveaxis.core.report.standing_bodies import SHARP, find_sharp
 
@@ -67,3 +67,34 @@ def test_two_sides_of_one_plate_are_lit_by_one_of_them_at_least():
     lit = shade(mesh, np.zeros(len(mesh.coedge_face), bool))
     assert np.allclose(np.abs(lit.normal), (0.0, 0.0, 1.0))
     assert find_sharp(mesh).all() and SHARP > 0.0
+
+
+@pytest.mark.parametrize("name", ["ball", "drum", "waves"])
+def test_ordered_outward_all_facets_are_there_and_the_deepest_begin(name):
+    mesh = from_triangles(SHAPES[name])
+    lit = shade(mesh, find_sharp(mesh))
+    found = order_outward(lit)
+    both = [np.concatenate([one.vertex[one.face], one.normal[one.face]], axis=2) for one in (lit, found)]
+    wanted, drawn = ({turned(rows) for rows in of} for of in both)
+    assert wanted == drawn and len(drawn) == len(found.face)
+    middle = 0.5 * (lit.vertex.min(axis=0) + lit.vertex.max(axis=0))
+    out = (found.normal * (found.vertex - middle)).sum(axis=1)
+    assert (np.diff(out) >= 0.0).all() and (np.diff(found.face[:, 0]) >= 0).all()
+    assert (found.face[:, :1] <= found.face).all()
+
+
+def turned(corners):
+    """The corners of a facet from the first on, in its sense."""
+    rows = [tuple(one) for one in corners.tolist()]
+    first = rows.index(min(rows))
+    return tuple(rows[first:] + rows[:first])
+
+
+def test_the_floor_of_a_bowl_is_blended_before_its_walls():
+    outer, inner = (frustum_facets(np.zeros(3), np.array([0.0, 0.0, 20.0]), r, r) for r in (10.0, 8.0))
+    hollow = inner[:, ::-1] + (0.0, 0.0, 0.5)
+    mesh = from_triangles(np.concatenate([outer, hollow]))
+    found = order_outward(shade(mesh, find_sharp(mesh)))
+    corner = found.vertex[found.face]
+    inside = np.linalg.norm(corner[..., :2], axis=2).max(axis=1) < 8.5
+    assert inside[: inside.sum()].all(), "facets of the hollow come first"

@@ -43,6 +43,22 @@ def shade(mesh: Mesh, sharp: Bools) -> Shaded:
     return Shaded(vertex, normal / size[:, None], corner.reshape(-1, 3))
 
 
+def order_outward(lit: Shaded) -> Shaded:
+    """Return the same facets, those first that lie deepest within the mesh, seen along their own normals, and
+    those of its hull last: so blended over each other unsorted, they look right from most sides.
+
+    Vertices are numbered in that order and facets begin with their first one: graphics that sort facets by
+    their vertices keep it.
+    """
+    middle = 0.5 * (lit.vertex.min(axis=0) + lit.vertex.max(axis=0))
+    order = np.argsort((lit.normal * (lit.vertex - middle)).sum(axis=1), kind="stable")
+    rank = np.empty(len(order), np.int64)
+    rank[order] = np.arange(len(order))
+    face = rank[lit.face]
+    face = np.take_along_axis(face, (face.argmin(axis=1)[:, None] + np.arange(3)) % 3, axis=1)
+    return Shaded(lit.vertex[order], lit.normal[order], face[np.argsort(face[:, 0], kind="stable")])
+
+
 def _number_corners(mesh: Mesh, parting: Bools) -> Ints:
     """Return a number for each corner (3 f,) of the facets, the same for those at one vertex that no
     ``parting`` (e,) edge parts."""

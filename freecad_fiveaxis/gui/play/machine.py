@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.report.standing_bodies import StandingBody, leave_out
 from freecad_fiveaxis.gui.scene import nodes
 
 from .player import Struck
-from .solids import EDGE, Look, blending, draw_meshes
+from .solids import EDGE, Look, draw_meshes
 from .tool import DrawnTool, size_of
 
 LOOKS: dict[str, tuple[nodes.Colour, float]] = {
@@ -46,7 +46,7 @@ class DrawnMachine:
         carriers = [*(one.carrier for one in bodies), *(one.carrier for one in self.standing)]
         self.carriers = {carrier: coin.SoMatrixTransform() for carrier in carriers}
         self.drawn = draw_meshes([one.mesh for one in self.standing], self.looks)
-        self.root = nodes.separate(_solid(), blending())
+        self.root = nodes.separate(_solid())
         for carrier, placed in self.carriers.items():
             group = nodes.separate(placed)
             for body in bodies:

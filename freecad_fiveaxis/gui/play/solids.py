@@ -14,7 +14,7 @@ from pivy import coin
 
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.geometry.reduced import reduce_mesh, share_facets
-from freecad_fiveaxis.core.geometry.shading import shade
+from freecad_fiveaxis.core.geometry.shading import order_outward, shade
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.report.standing_bodies import find_edges, find_sharp
 from freecad_fiveaxis.gui.scene import nodes
@@ -64,7 +64,8 @@ class DrawnMesh:
         edges = find_edges(mesh)
         forms = [(_faces(mesh), _edges(edges))]
         if self.copy is not None:
-            forms.append((_faces(self.copy.mesh), _edges(_longest(edges, (most or 0) // FACETS_AN_EDGE))))
+            copied = nodes.separate(_blend_in_order(), _faces(self.copy.mesh, outward=True))
+            forms.append((copied, _edges(_longest(edges, (most or 0) // FACETS_AN_EDGE))))
         self._faces, self._edges = (nodes.choice(*column) for column in zip(*forms, strict=True))
         line = nodes.separate(nodes.flat(), nodes.colour(EDGE), nodes.style(1.0), self._edges)
         self.node = nodes.separate(nodes.separate(_facing(mesh), look.node, self._faces), line)
@@ -93,7 +94,7 @@ class DrawnFixtures:
             (one.name, nodes.switch(drawn.node, False))
             for one, drawn in zip(fixtures, self.drawn, strict=True)
         ]
-        self.root = nodes.separate(blending(), nodes.nearer(BEFORE), *(switch for _, switch in self.switches))
+        self.root = nodes.separate(nodes.nearer(BEFORE), *(switch for _, switch in self.switches))
 
     def show(self, hit: Collection[str], near: Collection[str], moving: bool = False) -> None:
         """Show those of these names."""
@@ -114,22 +115,21 @@ def mesh_node(mesh: Mesh, look: Look) -> Any:
     return DrawnMesh(mesh, look).node
 
 
-def blending() -> Any:
-    """Return what puts bodies that are seen through in order one by one, not facet by facet as FreeCAD's
-    views do: sorting half a million in every frame took more than half of it.
-
-    Back faces of closed bodies are left out, and the facets of a body have one colour: which of them is
-    blended first is hardly seen.
-    """
+def _blend_in_order() -> Any:
+    """Return what lets facets that are seen through be blended as they come. FreeCAD's views sort them in
+    every frame, which takes longer than drawing them."""
     kind = coin.SoTransparencyType()
     kind.value = coin.SoTransparencyType.SORTED_OBJECT_BLEND
     return kind
 
 
-def _faces(mesh: Mesh) -> Any:
+def _faces(mesh: Mesh, outward: bool = False) -> Any:
     """Facets with a normal for each of their vertices: so Coin hands them to the graphics as they stand in
-    memory, and need not find normals for itself, one for each corner of each facet."""
+    memory, and need not find normals for itself, one for each corner of each facet. ``outward``: in the order
+    in which they can be blended unsorted."""
     faces, lit = coin.SoIndexedFaceSet(), shade(mesh, find_sharp(mesh))
+    if outward:
+        lit = order_outward(lit)
     drawn = nodes.vertices(lit.vertex)
     drawn.normal.setValues(0, len(lit.normal), np.ascontiguousarray(lit.normal, np.float32))
     drawn.normalBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
