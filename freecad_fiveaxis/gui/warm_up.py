@@ -20,7 +20,8 @@ FREECADS = ("MeshPart",)
 """Modules of FreeCAD that are not loaded with it."""
 NEEDED = (
     "core.pipeline.job", "core.report", "app.results", "app.setups", "app.machines", "app.controllers",
-    "app.tessellation", "app.changes", "app.job_setup", "core.machine.bodies_file", "gui.panels.toolpath",
+    "app.tessellation", "app.changes", "app.job_setup", "core.machine.bodies_file",
+    "core.geometry.reduced", "core.geometry.shading", "gui.panels.toolpath",
 )  # fmt: skip
 """Modules of the package, in the order in which they are imported."""
 

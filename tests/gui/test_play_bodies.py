@@ -38,10 +38,10 @@ the middle of each."""
 RED = (224, 31, 20)
 
 
-def machine_file(folder):
+def machine_file(folder, cheek=None):
     """The example with four bodies of its own, one of them an STL."""
     data = json.loads(EXAMPLE.read_text())
-    write_stl(from_triangles(box_facets(*CHEEK)), folder / "cheek.stl")
+    write_stl(from_triangles(box_facets(*CHEEK) if cheek is None else cheek), folder / "cheek.stl")
     ends = [{"low": one[0].tolist(), "high": one[1].tolist()} for one in (POST, PLATTER, NOSE)]
     data["fiveaxis"]["bodies"] = [
         {"name": "post", "carrier": "base", "box": ends[0]},
@@ -58,7 +58,7 @@ def machine_file(folder):
     return str(path)
 
 
-def audited(doc, folder, **more):
+def audited(doc, folder, cheek=None, **more):
     from freecad_fiveaxis import app
 
     path = folder / "bodies.ngc"
@@ -70,7 +70,7 @@ def audited(doc, folder, **more):
         "holder": "30x40",
         "cutter": "ball:6:20",
     }
-    return app.audit(doc, str(path), machine_file(folder), **given | more)
+    return app.audit(doc, str(path), machine_file(folder, cheek), **given | more)
 
 
 def turn(axis, degrees):
@@ -183,6 +183,63 @@ def test_bodies_stand_where_the_axes_carry_them_and_are_red_where_they_are_hit(
     shown.stage.machine.carriers[4].matrix.setValue(*np.eye(4).reshape(-1).tolist())
     with pytest.raises(AssertionError, match="is drawn"):  # the comparison sees an axis that does not carry
         check_places(doc, shown)
+
+
+MOST = 2000
+
+
+def dense_cheek():
+    """The cheek of 12,288 facets: each of the box's twelve divided five times."""
+    facets = box_facets(*CHEEK)
+    for _ in range(5):
+        a, b, c = facets.transpose(1, 0, 2)
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        parts = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+        facets = np.concatenate([np.stack(part, axis=1) for part in parts])
+    return facets
+
+
+def facets_drawn(doc, shown, name):
+    """How many facets of a body are drawn."""
+    bodies = shown.stage.machine
+    look = next(look for one, look in zip(bodies.standing, bodies.looks, strict=True) if one.name == name)
+    return len(drawn_corners(doc, look)) // 3
+
+
+@pytest.mark.usefixtures("whole_screen")
+def test_a_large_body_is_drawn_from_its_copy_while_it_moves_and_whole_where_it_stands(
+    doc, tmp_path, opened, click, tick, until, screenshot, pixels, monkeypatch
+):
+    from freecad_fiveaxis.gui.play import solids
+
+    monkeypatch.setattr(solids, "BUDGET", MOST)
+    shown = opened(audited(doc, tmp_path, dense_cheek()))
+    post, cheek = shown.stage.machine.drawn[:2]
+    assert post.copy is None and 0.5 * MOST < len(cheek.copy.mesh.face) <= MOST
+    tick(shown.controls.machine)
+    until(lambda: shown.controls.machine.isChecked(), 20000, "the machine")
+    assert not shown.moving and facets_drawn(doc, shown, "cheek") == 12288
+    click(shown.controls.play)
+    until(lambda: shown.playing, 20000, "the motion")
+    assert cheek.reduced and facets_drawn(doc, shown, "cheek") == len(cheek.copy.mesh.face)
+    assert facets_drawn(doc, shown, "post") == 12, "what is small stays as it is"
+    screenshot("play_moving")
+    shown.controls.speed.setCurrentIndex(shown.controls.speed.count() - 1)
+    for block in (3, 7):
+        until(lambda: not shown.playing, 60000, "a pause")
+        assert shown.player.block == block and not cheek.reduced
+        assert facets_drawn(doc, shown, "cheek") == 12288
+        if block == 3:
+            click(shown.controls.play)
+    assert reds(shown) == {"cheek"}
+    until(lambda: pixels(screenshot("play_standing"), RED, 40) > 500, 30000, "a red cheek")
+    slider = shown.controls.slider
+    slider.setSliderDown(True)
+    shown.refresh()
+    assert cheek.reduced and reds(shown) == {"cheek"}, "dragged, the copy has the same colour"
+    until(lambda: pixels(screenshot("play_dragged"), RED, 40) > 500, 30000, "a red copy")
+    slider.setSliderDown(False)
+    assert not cheek.reduced and facets_drawn(doc, shown, "cheek") == 12288
 
 
 def test_playing_pauses_at_a_collision_and_goes_on(doc, tmp_path, opened, click, until):

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.machine_bodies import make_mesh
 from freecad_fiveaxis.core.gouge.machine_check import needs_length, zero_words
@@ -93,9 +93,15 @@ def leave_out(
 
 def find_edges(mesh: Mesh) -> Floats:
     """Find the edges (e, 2, 3), mm, in which a mesh bends sharply, and those at a border."""
+    border = mesh.coedge_face[:, 1] < 0
+    return np.asarray(mesh.vertex[mesh.coedge_vertex[border | find_sharp(mesh)]])
+
+
+def find_sharp(mesh: Mesh) -> Bools:
+    """Find the co-edges (e,) of two facets in which a mesh bends sharply."""
     first, second = mesh.coedge_face.T
     bend = (mesh.normal[first] * mesh.normal[second]).sum(axis=1)
-    return np.asarray(mesh.vertex[mesh.coedge_vertex[(second < 0) | (bend < SHARP)]])
+    return np.asarray((second >= 0) & (bend < SHARP))
 
 
 def _last_of_head(kinematics: Chain) -> int | None:

@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.report.standing_bodies import StandingBody, leave_out
 from freecad_fiveaxis.gui.scene import nodes
 
 from .player import Struck
-from .solids import EDGE, Look, mesh_node
+from .solids import EDGE, Look, draw_meshes
 from .tool import DrawnTool, size_of
 
 LOOKS: dict[str, tuple[nodes.Colour, float]] = {
@@ -45,19 +45,23 @@ class DrawnMachine:
         self.looks = [Look(*LOOKS[one.place]) for one in self.standing]
         carriers = [*(one.carrier for one in bodies), *(one.carrier for one in self.standing)]
         self.carriers = {carrier: coin.SoMatrixTransform() for carrier in carriers}
+        self.drawn = draw_meshes([one.mesh for one in self.standing], self.looks)
         self.root = nodes.separate(_solid())
         for carrier, placed in self.carriers.items():
             group = nodes.separate(placed)
             for body in bodies:
                 if body.carrier == carrier:
                     group.addChild(_body_node(body))
-            for one, look in zip(self.standing, self.looks, strict=True):
+            for one, drawn in zip(self.standing, self.drawn, strict=True):
                 if one.carrier == carrier:
-                    group.addChild(mesh_node(one.mesh, look))
+                    group.addChild(drawn.node)
             self.root.addChild(group)
 
-    def show(self, machine_from_carried: np.ndarray) -> None:
-        """Put every body where its axis carries it; ``machine_from_carried`` (5, 4, 4) as in a Pose."""
+    def show(self, machine_from_carried: np.ndarray, moving: bool = False) -> None:
+        """Put every body where its axis carries it; ``machine_from_carried`` (5, 4, 4) as in a Pose;
+        ``moving``: draw large ones from their coarser copies."""
+        for drawn in self.drawn:
+            drawn.show(moving)
         for carrier, placed in self.carriers.items():
             if carrier is not None:
                 placed.matrix.setValue(

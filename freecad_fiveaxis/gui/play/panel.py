@@ -72,6 +72,11 @@ class PlayPanel:
         """Whether time passes."""
         return bool(self.timer.isActive())
 
+    @property
+    def moving(self) -> bool:
+        """Whether one picture follows the other: while time passes, or the user drags the slider."""
+        return self.playing or bool(self.controls.slider.isSliderDown())
+
     def play(self, on: bool) -> None:
         """Let time pass, from the start again where the program is at its end; or hold it."""
         if on and self.player.at_end:
@@ -116,7 +121,8 @@ class PlayPanel:
         pose, block = self.player.pose, self.player.block
         curve = self.player.playback.curve(block) if block != self._drawn else None
         self._drawn = block
-        self.stage.show(pose, curve, self.controls.machine.isChecked(), self.player.struck, self.player.near)
+        player, on_machine = self.player, self.controls.machine.isChecked()
+        self.stage.show(pose, curve, on_machine, player.struck, player.near, self.moving)
         self.readout.show(pose, self.player.playback.seconds, self.player.met)
         self.controls.show_share(self.player.share())
         if self.controls.follow.isChecked():
@@ -264,6 +270,7 @@ class PlayPanel:
             }
         )
         controls.slider.valueChanged.connect(self.slide)
+        controls.slider.sliderReleased.connect(self.refresh)
 
     def _enable(self) -> None:
         self.controls.singular.setEnabled(len(self.player.singular) > 0)

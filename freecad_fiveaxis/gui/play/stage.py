@@ -80,9 +80,11 @@ class Stage:
         on_machine: bool,
         struck: Struck = _NOTHING,
         near: Struck = _NOTHING,
+        moving: bool = False,
     ) -> None:
         """Draw a single moment; ``curve`` (n, 3): the judged point's real path in its block, None where it is
-        drawn already; ``struck``: what is hit then, ``near``: what is come near to."""
+        drawn already; ``struck``: what is hit then, ``near``: what is come near to; ``moving``: whether the
+        next moment follows at once."""
         scene_from_work = pose.machine_from_work if on_machine else IDENTITY
         scene_from_machine = IDENTITY if on_machine else pose.work_from_machine
         _put(self.work, scene_from_work)
@@ -94,9 +96,9 @@ class Stage:
             )  # how much of the machine is a sketch must be seen whatever is selected
         nodes.turn(self.sketch, on_machine)
         if on_machine:
-            self.machine.show(pose.machine_from_carried)
+            self.machine.show(pose.machine_from_carried, moving)
         self.machine.show_struck(struck, near)
-        self.fixtures.show(struck.fixtures, near.fixtures)
+        self.fixtures.show(struck.fixtures, near.fixtures, moving)
         self._draw_axes(rotary_lines(pose, self.centre, self.reach), scene_from_machine)
         if curve is not None:
             _fill(self.curve, curve)

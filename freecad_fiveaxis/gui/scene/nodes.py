@@ -101,6 +101,26 @@ def turn(node: Any, on: bool) -> None:
     node.whichChild = coin.SO_SWITCH_ALL if on else coin.SO_SWITCH_NONE
 
 
+def choice(*children: Any) -> Any:
+    """Return a group of which one child is drawn, the first to begin with."""
+    node = coin.SoSwitch()
+    for child in children:
+        node.addChild(child)
+    choose(node, 0)
+    return node
+
+
+def choose(node: Any, child: int) -> None:
+    """Draw another child of a choice. A choice that stays is not touched: what is cached of it stays too."""
+    if get_choice(node) != child:
+        node.whichChild = child
+
+
+def get_choice(node: Any) -> int:
+    """Return which child of a choice is drawn."""
+    return int(node.whichChild.getValue())
+
+
 def without_box(child: Any) -> Any:
     """Return a group that "fit all" does not look at."""
     group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
