@@ -84,6 +84,17 @@ def straight_motion(tips: Floats, axes: Floats, above: float = 0.0) -> SweptMoti
     return SweptMotion(pose, above * angle * angle, angle * angle)
 
 
+def without_ways(swept: SweptMotion, unknown: Bools) -> SweptMotion:
+    """Return the swept motion in which the blocks ``unknown`` (m,) stand at their ends."""
+    if not unknown.any():
+        return swept
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        return swept.pose(block, np.where(unknown[block], 1.0, u))
+
+    return SweptMotion(pose, swept.bend_tip * ~unknown, swept.bend_axis * ~unknown)
+
+
 def still_positions(tips: Floats, axes: Floats) -> SweptMotion:
     """Blocks that only stand: one for each tip (n, 3) mm and unit axis (n, 3)."""
     place, pointing = _columns(tips), _columns(axes)
