@@ -451,10 +451,24 @@ def _import_machine(arguments: argparse.Namespace) -> int:
     imported = import_machine(arguments.source, arguments.bodies or "")
     written = save_imported(imported, arguments.output)
     if not arguments.quiet:
-        _show_report([as_text(imported), *_wrote(written)], written)
+        _show_report([as_text(imported), *_untaken_model(arguments), *_wrote(written)], written)
     return (
         DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
     )
+
+
+def _untaken_model(arguments: argparse.Namespace) -> Iterator[str]:
+    """Name the vismach model that a LinuxCNC configuration starts, where nobody has asked for its bodies. It
+    is not taken unasked: what it draws is proven against from then on, and models draw more than machines."""
+    from pathlib import Path
+
+    from freecad_fiveaxis.core.machine.importing import find_model
+
+    if arguments.bodies or Path(arguments.source).suffix.lower() != ".ini":
+        return
+    model = find_model(Path(arguments.source))
+    if model is not None:
+        yield f"The configuration shows its machine by {model}: --bodies {model} takes its bodies."
 
 
 def _machines(arguments: argparse.Namespace) -> int:

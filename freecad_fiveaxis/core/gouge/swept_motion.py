@@ -24,7 +24,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers

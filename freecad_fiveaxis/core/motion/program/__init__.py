@@ -8,7 +8,7 @@ from .rounded import Program, block_findings, block_starts, build_program, feed_
 from .wrapping import shorter_turns
 
 __all__ = [
-    "Guided", "Program", "block_findings", "block_starts", "build_program", "feed_blocks", "find_unknown_ways",
-    "plane_above", "rapid_minutes", "shorter_turns",
+    "Guided", "Program", "block_findings", "block_starts", "build_program", "feed_blocks",
+    "find_unknown_ways", "plane_above", "rapid_minutes", "shorter_turns",
     "standing", "take_up_axes", "upwards", "within_travel",
 ]  # fmt: skip

@@ -37,7 +37,7 @@ def find_gaps(
     """Find the gaps among the motion lines ``at`` (m,), of which ``rapid`` (m,) are rapids and ``by_vector``
     (m,) give the tool axis as a vector; ``axes``: the five words in each line and how they are meant."""
     kind = np.column_stack([kind for _, kind in axes])
-    driven = _driven(lines, kind, at, grammar)
+    driven = _find_driven(lines, kind, at, grammar)
     if not driven.any():
         return Gaps(np.zeros(len(at), np.bool_), np.zeros(len(at), np.bool_))
     given = np.zeros_like(driven)
@@ -45,13 +45,14 @@ def find_gaps(
     given[at, 3:] |= by_vector[:, None]
     line = np.arange(len(driven))[:, None]
     left, back = (np.maximum.accumulate(np.where(rows, line, -1), axis=0)[at] for rows in (driven, given))
-    lost = (left > back).any(axis=1)
+    lost: Bools = np.asarray((left > back).any(axis=1))
     before = np.concatenate([at[:1], at[:-1]])
-    fresh = (left > before[:, None]).any(axis=1) | np.concatenate([[False], lost[:-1]])
+    fresh: Bools = np.asarray((left > before[:, None]).any(axis=1))
+    fresh |= np.concatenate([[False], lost[:-1]])
     return _without_feeds(lost, fresh, rapid)
 
 
-def _driven(lines: Lines, kind: Bytes, at: Ints, grammar: Grammar) -> Bools:
+def _find_driven(lines: Lines, kind: Bytes, at: Ints, grammar: Grammar) -> Bools:
     """Whether each line (lines, 5) drives an axis to a machine position: those that it names, or all, after
     the first block."""
     going = lines.any_of(code for code, meant in grammar.codes.items() if meant is codes.HOME)
@@ -84,6 +85,7 @@ def leave_out_gaps(program: Program, gaps: Gaps, row: Ints) -> Program:
     if guided is not None:
         vector = None if guided.vector is None else guided.vector[keep]
         guided = Guided(guided.on[keep], guided.tip[keep], vector)
-    columns = {name: getattr(program, name)[keep] for name in ("feed", "inverse_time", "motion", "row", "line")}
+    names = ("feed", "inverse_time", "motion", "row", "line")
+    columns = {name: getattr(program, name)[keep] for name in names}
     words = take_rows(program.words, keep)
     return replace(program, words=words, seconds=seconds, guided=guided, unknown_way=unknown, **columns)

@@ -125,7 +125,7 @@ def read_nc(
         meaning = planes.of_blocks(at, on[at], meant)
     meant, bent = apply_angles(lines, at, meant, mode[at], meaning)
     at, motions = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
-    by_vector = ~np.isnan(motions.vector).all(axis=1)
+    by_vector: Bools = np.asarray(~np.isnan(motions.vector).all(axis=1))
     gaps = find_gaps(lines, at, axes, mode[at] == codes.RAPID, by_vector, grammar)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     unknown, of_codes = code_findings(words, grammar, at[~gaps.inside])
