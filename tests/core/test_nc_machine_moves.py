@@ -5,6 +5,7 @@ way back nothing is claimed, against fixtures neither."""
 import numpy as np
 import pytest
 from mesh_shapes import box
+from plain import build_settings
 
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.controllers import DIALECTS
@@ -15,6 +16,8 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program import block_starts, find_unknown_ways
 from freecad_fiveaxis.core.nc.reader.nc_reader import read_nc
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.report.figures import summary
 
 TRUNNION = chain(load_machine("trunnion_ac"), Setup())
 BEGIN = "BEGIN PGM A MM\nL A+0 C+0 R0 FMAX\nL X+0 Y+0 R0 FMAX\nL Z+10 R0 FMAX M3\nL Z+1 F500\nL Z+10 FMAX\n"
@@ -87,3 +90,13 @@ def test_a_clamp_between_is_hit_only_where_the_program_goes_there_itself(away, e
     ]  # fmt: skip
     assert main(words) == exit_code
     assert ("fixture-collision" in capsys.readouterr().out) is bool(exit_code)
+
+
+def test_such_a_block_has_no_deviation_and_adds_no_length(tmp_path):
+    (tmp_path / "a.h").write_text(BEGIN + AWAY + BACK + REST)
+    for cutter in ("flat:8:30", "ball:6"):
+        options = {"machine": "trunnion_ac", "cutter": cutter}
+        result = job.run(build_settings("audit", str(tmp_path / "a.h"), options))
+        assert result.deviation.segment[3] == 0.0 and result.deviation.place[3] == pytest.approx((0, 60, 10))
+        found = summary(job.figures(result))
+        assert found["rapid_length"] == pytest.approx(18.0) and found["max_rapid_deviation"] < 1e-9
