@@ -18,6 +18,7 @@ from __future__ import annotations
 import argparse
 import math
 import os
+import re
 import sys
 import traceback
 import warnings
@@ -60,6 +61,8 @@ ABOUT = {
 SHORT = {"output": ("-o", "--output"), "machine_file": ("-o", "--output")}
 SECOND = {"program": "PROGRAM.ngc"}
 """Options that are given as a second file, without a name."""
+NEGATIVE = re.compile(r"-\.?\d")
+"""How a value begins that is less than 0; no option does."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -82,7 +85,8 @@ def _run_command(argv: Sequence[str]) -> int:
     """Return the exit code; what went wrong is told in one line."""
     written.clear()
     try:
-        arguments = _parser().parse_args(_with_bare_options(_with_current_flags(argv)))
+        words = _with_negative_values(_with_bare_options(_with_current_flags(argv)))
+        arguments = _parser().parse_args(words)
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled) as stop:
         return _report_stop(stop)
@@ -162,6 +166,19 @@ def _with_bare_options(argv: Sequence[str]) -> list[str]:
         f"{word}={bare[word]['bare']}" if word in bare and after not in bare[word]["choices"] else word
         for word, after in zip(argv, following, strict=True)
     ]
+
+
+def _with_negative_values(argv: Sequence[str]) -> list[str]:
+    """Return the words, values that begin with a minus joined to the option before them: argparse takes a
+    single number for a value, and ``-30,0,5`` or ``-2deg`` for an option."""
+    words = list[str]()
+    for word in argv:
+        before = words[-1] if words else ""
+        if NEGATIVE.match(word) and before.startswith("--") and "=" not in before:
+            words[-1] = f"{before}={word}"
+        else:
+            words.append(word)
+    return words
 
 
 def flag_of(name: str) -> str:
@@ -434,10 +451,24 @@ def _import_machine(arguments: argparse.Namespace) -> int:
     imported = import_machine(arguments.source, arguments.bodies or "")
     written = save_imported(imported, arguments.output)
     if not arguments.quiet:
-        _show_report([as_text(imported), *_wrote(written)], written)
+        _show_report([as_text(imported), *_untaken_model(arguments), *_wrote(written)], written)
     return (
         DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
     )
+
+
+def _untaken_model(arguments: argparse.Namespace) -> Iterator[str]:
+    """Name the vismach model that a LinuxCNC configuration starts, where nobody has asked for its bodies. It
+    is not taken unasked: what it draws is proven against from then on, and models draw more than machines."""
+    from pathlib import Path
+
+    from freecad_fiveaxis.core.machine.importing import find_model
+
+    if arguments.bodies or Path(arguments.source).suffix.lower() != ".ini":
+        return
+    model = find_model(Path(arguments.source))
+    if model is not None:
+        yield f"The configuration shows its machine by {model}: --bodies {model} takes its bodies."
 
 
 def _machines(arguments: argparse.Namespace) -> int:

@@ -1935,6 +1935,10 @@
         <translation>Kollisionen mit ihr werden nicht geprüft.</translation>
     </message>
     <message>
+        <source>Comes from a position of the machine: the way to here is not known.</source>
+        <translation>Kommt von einer Maschinenposition: der Weg hierher ist nicht bekannt.</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -6996,8 +7000,8 @@
         <translation>mehr als {most} Klammern in Klammern</translation>
     </message>
     <message>
-        <source>moves to machine positions unknown to the program; they are not audited</source>
-        <translation>Bewegungen zu Maschinenpositionen, die das Programm nicht kennt; sie werden nicht geprüft</translation>
+        <source>moves to machine positions unknown to the program; they and the ways back from there are not audited</source>
+        <translation>Bewegungen zu Maschinenpositionen, die das Programm nicht kennt; sie und die Wege von dort zurück werden nicht geprüft</translation>
     </message>
     <message>
         <source>moves to positions of the machine, which are not known</source>

@@ -14,14 +14,22 @@ from test_machine_bodies import LENGTH, MACHINES, ORIGIN, TOOL, machine_file, mo
 from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.base.findings import Hit
 from freecad_fiveaxis.core.geometry.convex import convex_hull
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge import body_search
+from freecad_fiveaxis.core.gouge.body_pairs import which_meet
 from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion, steps_between
-from freecad_fiveaxis.core.gouge.carried_pieces import carry_tool
+from freecad_fiveaxis.core.gouge.carried_pieces import carry_tool, pair_up
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
-from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine, zero_words
+from freecad_fiveaxis.core.gouge.machine_check import (
+    InMachine,
+    carry_all,
+    check_machine,
+    pair_check,
+    zero_words,
+)
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
@@ -80,6 +88,36 @@ def checked(
 
 def trunnion(*bodies):
     return replace(load_machine("trunnion_ac"), bodies=bodies)
+
+
+def pairs_of(*bodies):
+    """Give what :func:`which_meet` is asked of a trunnion with these bodies, in five blocks of its cradle."""
+    machine = trunnion(*bodies)
+    given = InMachine(machine, SETUP, chain(machine, SETUP), TOOL, LENGTH)
+    program = program_of(machine, words_at(machine, *({"A": 20.0 * k} for k in range(6))))
+    return pair_check(given, program, TOLERANCE), pair_up(machine, carry_all(given, None))[0]
+
+
+def test_a_question_of_yes_or_no_tells_how_far_it_is_and_can_be_stopped():
+    told, (check, pairs) = [], pairs_of(CRADLE, wall(100.0), wall(110.0, "post"))
+    which_meet(check, pairs, np.arange(5), lambda stage, share: told.append((stage, share)))
+    assert len(pairs) > 1 and told == [("gouge", k / len(pairs)) for k in range(len(pairs))]
+
+    def stop(stage, share):
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        which_meet(check, pairs, np.arange(5), stop)
+
+
+def test_of_a_way_that_is_not_known_its_end_alone_is_looked_at():
+    """With A at 0 and -180 the cradle is clear of the wall, between them it is not."""
+    machine = trunnion(CRADLE, wall(100.0))
+    given = InMachine(machine, SETUP, chain(machine, SETUP), TOOL, LENGTH)
+    program = program_of(machine, words_at(machine, {"A": 0.0}, {"A": -180.0}))
+    unknown = replace(program, unknown_way=np.array([False, True]))
+    met = [codes(check_machine(given, one, None, TOLERANCE)) for one in (program, unknown)]
+    assert met == [["machine-collision"], []]
 
 
 def codes(found):

@@ -3,6 +3,7 @@
 products of their own matrices at three positions of the joints; what is not plain is told and left out."""
 
 import math
+import os
 from dataclasses import replace
 
 import numpy as np
@@ -314,6 +315,23 @@ def test_the_model_that_hal_starts_is_found(write, tmp_path):
     assert find_model(tmp_path / "m.ini") == tmp_path / "mill.py"
     write(hal=HAL.replace("./mill.py", "./arm.stl"))
     assert find_model(tmp_path / "m.ini") is None and (source, model) == write()
+
+
+def test_a_model_that_is_installed_as_a_command_is_found_and_named_not_taken(
+    write, tmp_path, monkeypatch, capsys
+):
+    source, _ = write(hal=HAL.replace("./mill.py", "mill-gui"))
+    folder = tmp_path / "bin"
+    folder.mkdir()
+    command = folder / ("mill-gui.exe" if os.name == "nt" else "mill-gui")
+    (tmp_path / "mill.py").replace(command)
+    command.chmod(0o755)
+    assert find_model(tmp_path / "m.ini") is None
+    monkeypatch.setenv("PATH", str(folder))
+    assert find_model(tmp_path / "m.ini") == command
+    assert cli.main(["import-machine", source, "-o", str(tmp_path / "m.fcm")]) == 0
+    assert f"--bodies {command}" in capsys.readouterr().out
+    assert not load_machine(str(tmp_path / "m.fcm")).bodies
 
 
 def test_pins_of_which_no_hal_file_speaks_are_axes_by_their_names_alone(write):

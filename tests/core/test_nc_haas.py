@@ -125,7 +125,7 @@ def test_a_head_that_turns_has_no_g254() -> None:
 
 def test_g234_of_a_umc_guides_until_g49() -> None:
     program = haas(
-        "G00 A10. C20.\nG93\nG234 H03 X0. Y0. Z60. A10. C20.\nG01 X5. A12. C25. F90.\nG94\nG49\nG53 G00 Z0.\nG00 A0. C0.\n"
+        "G00 A10. C20.\nG93\nG234 H03 X0. Y0. Z60. A10. C20.\nG01 X5. A12. C25. F90.\nG94\nG49\nG00 A0. C0.\nG53 G00 Z0.\n"
     )
     assert not errors(program) and program.guided is not None
     assert program.guided.on.tolist() == [True, True, False] and program.guided.tip[:2].tolist() == [

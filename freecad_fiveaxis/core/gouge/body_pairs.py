@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
-from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.motion.program import Program, find_unknown_ways
 
 from .body_search import Meetings, Pair, find_meetings
 from .carried_motion import Step
@@ -89,12 +89,15 @@ def check_pairs(
     return (*found, *_worst_of_tool(of_tool))
 
 
-def which_meet(given: PairCheck, pairs: Sequence[CarriedPair], blocks: Ints) -> Bools:
+def which_meet(
+    given: PairCheck, pairs: Sequence[CarriedPair], blocks: Ints, progress: Progress = silent
+) -> Bools:
     """Tell in which of these ``blocks`` (k,) one of the ``pairs`` is not proven to stay out of each other."""
     found, level = np.zeros(len(blocks), np.bool_), PARED * given.tolerance
     independent = given.rapids != INTERPOLATED
     rapids = np.flatnonzero(np.isin(blocks, independent_rapids(given.program))) if independent else blocks[:0]
-    for pair in pairs:
+    for k, pair in enumerate(pairs):
+        progress("gouge", k / len(pairs))
         columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
         if not given.known[columns].all():
             continue
@@ -184,6 +187,8 @@ class _Levels:
     def meet(self, level: float, blocks: Ints, joined: bool) -> Meetings:
         """Find the meetings of these blocks (k,)."""
         start, end = self.joints[blocks], self.joints[blocks + 1]
+        unknown = find_unknown_ways(self.given.program)[blocks]
+        start = np.where(unknown[:, None], end, start) if unknown.any() else start
         return find_meetings(self.at(level), start, end, joined, SLACK * self.given.tolerance)
 
     def find(self, level: float, most: float) -> tuple[Closest | None, Ints]:

@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.base.sentences import (
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
-from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.motion.program import Program, find_unknown_ways
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, SPINDLE, Body
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -40,7 +40,7 @@ from .rapid_check import check_rapids, rapid_findings
 from .rapid_ways import WayEntries
 from .search import Entries, find_entries
 from .spots import MOST_SPOTS, spots
-from .swept_motion import SweptMotion, real_motion, straight_motion
+from .swept_motion import SweptMotion, real_motion, straight_motion, without_ways
 
 ROUGHLY = 0.1
 """mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance
@@ -137,15 +137,16 @@ def check_motion(
 
 def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> SweptMotion:
     """Return the way that the machine really goes: block i of the swept motion leads to row i + 1 of the
-    program.
+    program; one whose way is not known stands at its end.
 
     ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the
     tip, its way is taken to be straight and the axis to turn on great arcs.
     """
+    unknown = find_unknown_ways(program)
     if program.guided is None:
-        return real_motion(kinematics, program.words, back)
+        return without_ways(real_motion(kinematics, program.words, back), unknown)
     tips, axes = forward(kinematics, words_to_q(program.words))
-    return straight_motion(tips - back * axes, axes)
+    return without_ways(straight_motion(tips - back * axes, axes), unknown)
 
 
 def check_program(

@@ -84,7 +84,8 @@ class MachineBlocks:
             words = lock_words(given.machine, given.setup, given.kinematics, program.words, letters)
             hit |= self._enter(stack, tree, replace(program, words=words), blocks)
         left = np.flatnonzero(~hit)
-        hit[left] = which_meet(pair_check(given, program, self.tolerance), self.pairs, blocks[left])
+        check = pair_check(given, program, self.tolerance)
+        hit[left] = which_meet(check, self.pairs, blocks[left], self.progress)
         return hit
 
     def _enter(self, stack: Body, tree: FacetTree, program: Program, blocks: Ints) -> Bools:

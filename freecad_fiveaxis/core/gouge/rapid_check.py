@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.records import Bools, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Template, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.motion.program import Program, find_unknown_ways
 from freecad_fiveaxis.core.tool.body import PARTS, Body
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -59,9 +59,10 @@ def check_rapids(
 
 
 def independent_rapids(program: Program) -> Ints:
-    """Pick the rapids that move several axes; block i leads to row i + 1."""
+    """Pick the rapids that move several axes on a way that is known; block i leads to row i + 1."""
     several = (np.diff(program.words, axis=0) != 0.0).sum(axis=1) > 1
-    return np.flatnonzero(several & (program.motion[1:] == Motion.RAPID))
+    known = ~find_unknown_ways(program)
+    return np.flatnonzero(several & known & (program.motion[1:] == Motion.RAPID))
 
 
 def rapid_findings(ways: WayEntries, program: Program, tolerance: float, rapids: str) -> tuple[Finding, ...]:

@@ -24,7 +24,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
@@ -82,6 +82,17 @@ def straight_motion(tips: Floats, axes: Floats, above: float = 0.0) -> SweptMoti
         return Poses(point - above * k if above else point, k)
 
     return SweptMotion(pose, above * angle * angle, angle * angle)
+
+
+def without_ways(swept: SweptMotion, unknown: Bools) -> SweptMotion:
+    """Return the swept motion in which the blocks ``unknown`` (m,) stand at their ends."""
+    if not unknown.any():
+        return swept
+
+    def pose(block: Ints, u: Floats) -> Poses:
+        return swept.pose(block, np.where(unknown[block], 1.0, u))
+
+    return SweptMotion(pose, swept.bend_tip * ~unknown, swept.bend_axis * ~unknown)
 
 
 def still_positions(tips: Floats, axes: Floats) -> SweptMotion:

@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.gouge.faces import facets_on
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures, read_fixtures
 from freecad_fiveaxis.core.machine import Machine, load_machine
-from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above, without_guided
 from freecad_fiveaxis.core.motion.singularity import find_singular
 from freecad_fiveaxis.core.nc.head import slot_texts
@@ -242,6 +242,10 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
         deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(draft.kinematics, words, draft.machine.singular_cone)
     surface = surface_deviation(draft, compute_driven_to_surface(draft.settings), progress)
+    if (unknown := draft.program.unknown_way) is not None:
+        tip = forward(draft.kinematics, words_to_q(words))[0]
+        deviation = without_guided(deviation, unknown, tip)
+        surface = surface and without_guided(surface, unknown, tip)
     judged = judge(
         draft.kinematics,
         draft.program,

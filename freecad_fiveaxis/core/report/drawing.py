@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.gouge import GOUGES
 from freecad_fiveaxis.core.machine import find_physical_columns
+from freecad_fiveaxis.core.motion.program import find_unknown_ways
 from freecad_fiveaxis.core.motion.trajectory import tip_at
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -288,6 +289,7 @@ def _curves(figures: Figures, rows: Ints) -> tuple[Floats, Floats]:
 def _rapids(figures: Figures) -> Floats:
     rows = np.flatnonzero(figures.program.motion == Motion.RAPID)
     rows = rows[rows > 0]
+    rows = rows[~find_unknown_ways(figures.program)[rows - 1]]
     if len(rows) > RAPIDS:
         rows = rows[np.linspace(0, len(rows) - 1, RAPIDS).astype(np.int64)]
     if not len(rows):

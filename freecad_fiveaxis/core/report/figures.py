@@ -39,7 +39,7 @@ from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.deviation import Deviation
-from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.motion.program import Program, feed_blocks, find_unknown_ways
 from freecad_fiveaxis.core.motion.singularity import Singularity
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -163,10 +163,12 @@ def find_guided_feeds(program: Program) -> Ints:
 
 
 def travel(program: Program) -> Floats:
-    """How far each word moves in each block (m, 5) mm and degrees, signed; row 0 is 0."""
+    """How far each word moves in each block (m, 5) mm and degrees, signed; row 0 is 0, and where the
+    way is not known."""
     columns = np.ascontiguousarray(program.words.T)  # whole columns are read from here on
     moved = np.zeros_like(columns)
     np.subtract(columns[:, 1:], columns[:, :-1], out=moved[:, 1:])
+    moved[:, 1:][:, find_unknown_ways(program)] = 0.0
     return moved.T
 
 
@@ -189,7 +191,7 @@ def summary(figures: Figures) -> dict[str, Any]:
     over = ~(judged.segment[feeds] <= figures.tolerance)
     unproven = ~over & ~(judged.bound[feeds] <= figures.tolerance)
     worst = figures.worst
-    rapid = deviation.segment[program.motion == Motion.RAPID]
+    rapid = deviation.segment[1:][(program.motion[1:] == Motion.RAPID) & ~find_unknown_ways(program)]
     return (
         {
             "title": figures.title,
@@ -287,7 +289,7 @@ def _sum_travel(figures: Figures) -> dict[str, object]:
     cutting[:1] = False
     rapid = program.motion == Motion.RAPID
     kinds = {"cut": cutting, "link": ~cutting & ~rapid, "rapid": rapid}
-    steps = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1)
+    steps = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1) * ~find_unknown_ways(program)
     moved = np.abs(travel(program)).sum(axis=0)
     return {
         "passes": int((cutting[1:] & ~cutting[:-1]).sum()),

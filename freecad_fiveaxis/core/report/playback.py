@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation import Deviation
-from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.motion.program import Program, block_starts, feed_blocks, find_unknown_ways
 from freecad_fiveaxis.core.motion.trajectory import axis_at, tip_at
 
 from .figures import worst_first
@@ -164,7 +164,7 @@ class Playback:
         return np.where(block > 0, self.clock[np.maximum(block - 1, 0)], 0.0)
 
     def _ends(self, row: Ints) -> tuple[Floats, Floats]:
-        return self.program.words[np.maximum(row - 1, 0)], self.program.words[row]
+        return block_starts(self.program, row), self.program.words[row]
 
     def _check(self, rows: NDArray[np.int64]) -> None:
         bad = rows[(rows < 0) | (rows >= len(self.clock))]
@@ -180,11 +180,12 @@ class Playback:
 
 
 def compute_shown_seconds(program: Program) -> Floats:
-    """How long each block (m,) is shown, s: its own time, or UNTIMED where it moves and no time is known."""
+    """How long each block (m,) is shown, s: its own time, or UNTIMED where it moves and no time is
+    known. What comes from a position of the machine is there at once."""
     known = np.isfinite(program.seconds) & (program.seconds > 0.0)
     moves = np.ones(len(known), bool)
     moves[:1] = False
-    moves[1:] = (program.words[1:] != program.words[:-1]).any(axis=1)
+    moves[1:] = (program.words[1:] != program.words[:-1]).any(axis=1) & ~find_unknown_ways(program)
     return np.where(known, program.seconds, np.where(moves, UNTIMED, 0.0))
 
 

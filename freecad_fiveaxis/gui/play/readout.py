@@ -11,6 +11,7 @@ from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.base.findings import Finding, Hit
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import find_physical_columns
+from freecad_fiveaxis.core.motion.program import find_unknown_ways
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.report.playback import NCLines, Pose
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -126,6 +127,10 @@ class Readout:
         notes = []
         if block == 0:
             notes.append(translate("FiveAxis", "First position: where the machine comes from is not known."))
+        elif find_unknown_ways(self.figures.program)[block - 1]:
+            notes.append(
+                translate("FiveAxis", "Comes from a position of the machine: the way to here is not known.")
+            )
         if self._is_guided(block):
             notes.append(
                 translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes.")

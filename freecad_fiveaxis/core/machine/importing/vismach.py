@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -35,7 +36,7 @@ from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.bodies import BASE
 
 from .hal_files import HalValues
-from .ini_file import IniFile
+from .ini_file import LONGEST, IniFile
 from .vismach_bodies import make_bodies
 from .vismach_file import read_model, wrong
 from .vismach_tree import SAME, Joint, Meaning, Placed, Tree, grow
@@ -131,13 +132,17 @@ class _Pins:
 
 def find_model(ini: Path) -> Path | None:
     """Return the vismach model that the HAL files of a LinuxCNC configuration start, from the ini file's
-    folder; None where there is none. Raises FiveAxisError for a configuration that cannot be read."""
+    folder or where commands are installed; None where there is none. Raises FiveAxisError for a configuration
+    that cannot be read."""
     for started in HalValues(IniFile(ini)).programs:
         for word in started.text.split():
             file = ini.parent / word
+            if not word.startswith("-") and not os.path.isfile(file):  # of a name that is too long, too
+                file = Path(shutil.which(word) or file)
             if (
                 not word.startswith("-")
-                and os.path.isfile(file)  # of a name that is too long, too
+                and os.path.isfile(file)
+                and os.path.getsize(file) <= LONGEST
                 and b"vismach" in read_bytes(file, "vismach model")
             ):
                 return file

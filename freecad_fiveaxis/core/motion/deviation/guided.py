@@ -4,7 +4,7 @@ is none for them.
 
 The controller keeps the tip on the segment, as well as it can; that is its own affair, and neither measured
 nor proven here. Such a block has no deviation of ours: its columns are zero, and whoever reports them says so
-(``guided_blocks`` of the summary).
+(``guided_blocks`` of the summary). It is the same with blocks whose way is not known.
 """
 
 from __future__ import annotations
@@ -29,4 +29,4 @@ def without_guided(deviation: Deviation, on: Bools, tip: Floats) -> Deviation:
     )
     line, u_line, segment, u_segment, bound, axis = (np.where(on, 0.0, column) for column in given)
     place = np.where(on[:, None], tip, deviation.place)
-    return Deviation(line, u_line, segment, u_segment, bound, axis, place, deviation.findings)
+    return Deviation(line, u_line, segment, u_segment, bound, axis, place, deviation.findings, deviation.lift)

@@ -55,7 +55,9 @@ class Program:
     where there is none;
     ``line`` (m,) line of the NC file, counted from 1. ``guided``: what the NC file says where the controller
     guides the tip; ``words`` are then where the axes stand at the blocks' ends, worked out from that.
-    ``wrap``: how the controller takes each rotary word of the NC file.
+    ``wrap``: how the controller takes each rotary word of the NC file. ``unknown_way`` (m,) rows to which the
+    machine comes from a position of its own, so that of the way nothing is known, as of that to row 0; None:
+    no others.
     """
 
     letters: str
@@ -69,15 +71,34 @@ class Program:
     findings: tuple[Finding, ...] = ()
     guided: Guided | None = None
     wrap: tuple[str, str] = ("unwound", "unwound")
+    unknown_way: Bools | None = None
 
     def __post_init__(self) -> None:
         freeze(self, None, words="f5", feed="f", inverse_time="b", motion="m", seconds="f", row="i", line="i")
+        if self.unknown_way is not None:
+            freeze(self, len(self.words), unknown_way="b")
 
 
 def feed_blocks(program: Program) -> Ints:
     """Return the rows of the feed blocks. Row 0 is none: where the machine comes from is not known."""
     rows = np.flatnonzero(program.motion != Motion.RAPID)
     return rows[rows > 0]
+
+
+def find_unknown_ways(program: Program) -> Bools:
+    """Tell in which blocks (m - 1,) the way is not known; block i leads to row i + 1."""
+    if program.unknown_way is None:
+        return np.zeros(max(len(program.words) - 1, 0), np.bool_)
+    return program.unknown_way[1:]
+
+
+def block_starts(program: Program, rows: Ints) -> Floats:
+    """Return the words (k, 5) at which the blocks that lead to these ``rows`` (k,) begin; one whose way is
+    not known, and that of row 0, stands at its end."""
+    rows = np.asarray(rows)
+    if program.unknown_way is None:
+        return program.words[np.maximum(rows - 1, 0)]
+    return program.words[np.where(program.unknown_way[rows], rows, np.maximum(rows - 1, 0))]
 
 
 def build_program(

@@ -117,7 +117,9 @@ CALL: Kind = (
 )
 HOME: Kind = (
     Code.MACHINE_POSITION,
-    say("moves to machine positions unknown to the program; they are not audited"),
+    say(
+        "moves to machine positions unknown to the program; they and the ways back from there are not audited"
+    ),
 )
 SHIFT: Kind = (
     Code.OFFSET_NOT_INTERPRETED,

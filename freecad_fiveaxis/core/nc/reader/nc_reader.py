@@ -9,7 +9,7 @@ guided       where the controller guides the tip (G43.4, G43.5, G234, M128, M428
 
 start        rapids of single axes from an unknown place, until all places are known: no blocks. Moves to
              machine positions before the first block and after the last lead nowhere that the program knows,
-             and are passed over.
+             and are passed over; one between blocks leaves a gap (:mod:`.machine_moves`).
 
 Drilling cycles are written out (:mod:`.canned_cycles`), variables, jumps and calls within the file are run
 (:mod:`.interpreter`). What is not interpreted (other cycles and calls, splines, offsets, compensation) is
@@ -56,6 +56,7 @@ from .findings import (
 from .heidenhain_cycles import diameters
 from .kinematics_switch import find_switches, switch_findings
 from .lines import UNTOLD, Assumed, Lines, by_least_increment, last_of, without_dwells
+from .machine_moves import find_gaps, leave_out_gaps
 from .of_machine import OfMachine
 from .planes import Planes, planes_of
 from .positions import (
@@ -124,8 +125,10 @@ def read_nc(
         meaning = planes.of_blocks(at, on[at], meant)
     meant, bent = apply_angles(lines, at, meant, mode[at], meaning)
     at, motions = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
+    by_vector: Bools = np.asarray(~np.isnan(motions.vector).all(axis=1))
+    gaps = find_gaps(lines, at, axes, mode[at] == codes.RAPID, by_vector, grammar)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
-    unknown, of_codes = code_findings(words, grammar, at)
+    unknown, of_codes = code_findings(words, grammar, at[~gaps.inside])
     chords, bad = _chords(lines, motions, mode[at], grammar)
     chords, sharp = _corners(lines, motions, mode[at], grammar, chords)
     bad += sharp
@@ -156,6 +159,7 @@ def read_nc(
             *vector_findings(planes, motions),
             *off_normal(planes, motions, chords, tool_axes(kinematics, program.words)),
         )
+    program = leave_out_gaps(program, gaps, np.arange(len(at)) if chords is None else chords.row)
     findings = fold((*before, *in_file(words, findings + guide_findings(program, motions)), *of_codes), cause)
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 

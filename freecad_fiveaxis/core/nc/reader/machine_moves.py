@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What follows a move to a machine position: until every axis that it drove has a word again, nobody knows
+where the tool is.
+
+gap       the rapids of that stretch: no blocks, as those of a safe start. The first line after it is a block
+          to whose end the way is not known (``Program.unknown_way``).
+feeding   a stretch in which something feeds is no safe way back from the machine's position: its lines stay
+          blocks, with the words that they had before.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, take_rows
+from freecad_fiveaxis.core.motion.program import Guided, Program
+
+from . import codes
+from .codes import Grammar
+from .lines import Lines
+from .positions import ABSOLUTE, NOTHING, SHORTER
+
+
+class Gaps(NamedTuple):
+    """Of the motion lines (m,): those that are in a gap, and those to whose end the way is not known."""
+
+    inside: Bools
+    after: Bools
+
+
+def find_gaps(
+    lines: Lines, at: Ints, axes: list[tuple[Floats, Bytes]], rapid: Bools, by_vector: Bools, grammar: Grammar
+) -> Gaps:
+    """Find the gaps among the motion lines ``at`` (m,), of which ``rapid`` (m,) are rapids and ``by_vector``
+    (m,) give the tool axis as a vector; ``axes``: the five words in each line and how they are meant."""
+    kind = np.column_stack([kind for _, kind in axes])
+    driven = _find_driven(lines, kind, at, grammar)
+    if not driven.any():
+        return Gaps(np.zeros(len(at), np.bool_), np.zeros(len(at), np.bool_))
+    given = np.zeros_like(driven)
+    given[at] = np.isin(kind[at], (ABSOLUTE, SHORTER))
+    given[at, 3:] |= by_vector[:, None]
+    line = np.arange(len(driven))[:, None]
+    left, back = (np.maximum.accumulate(np.where(rows, line, -1), axis=0)[at] for rows in (driven, given))
+    lost: Bools = np.asarray((left > back).any(axis=1))
+    before = np.concatenate([at[:1], at[:-1]])
+    fresh: Bools = np.asarray((left > before[:, None]).any(axis=1))
+    fresh |= np.concatenate([[False], lost[:-1]])
+    return _without_feeds(lost, fresh, rapid)
+
+
+def _find_driven(lines: Lines, kind: Bytes, at: Ints, grammar: Grammar) -> Bools:
+    """Whether each line (lines, 5) drives an axis to a machine position: those that it names, or all, after
+    the first block."""
+    going = lines.any_of(code for code, meant in grammar.codes.items() if meant is codes.HOME)
+    going[lines.m_line(grammar.machine_m)] = True
+    if codes.MACHINE in lines.letters:
+        going |= ~np.isnan(lines.column(codes.MACHINE))
+    going[: at[0] + 1] = False
+    named: Bools = kind != NOTHING
+    return going[:, None] & (named | ~named.any(axis=1, keepdims=True))
+
+
+def _without_feeds(lost: Bools, fresh: Bools, rapid: Bools) -> Gaps:
+    """Return the gaps, but those in which, or from which, something feeds. A gap goes from where the machine
+    leaves to where all its axes are known again."""
+    touched = lost | fresh
+    group = np.cumsum(fresh & ~np.concatenate([[False], lost[:-1]]))
+    feeding = np.zeros(int(group[-1]) + 1, np.bool_)
+    feeding[group[touched & ~rapid]] = True
+    kept = ~feeding[group]
+    return Gaps(lost & kept, fresh & ~lost & kept)
+
+
+def leave_out_gaps(program: Program, gaps: Gaps, row: Ints) -> Program:
+    """Return the program without the blocks of the gaps; ``row`` (n,): the motion line of each block."""
+    if not (gaps.inside | gaps.after).any():
+        return program
+    keep, unknown = np.flatnonzero(~gaps.inside[row]), gaps.after[row][~gaps.inside[row]]
+    seconds = np.where(unknown, 0.0, program.seconds[keep])
+    guided = program.guided
+    if guided is not None:
+        vector = None if guided.vector is None else guided.vector[keep]
+        guided = Guided(guided.on[keep], guided.tip[keep], vector)
+    names = ("feed", "inverse_time", "motion", "row", "line")
+    columns = {name: getattr(program, name)[keep] for name in names}
+    words = take_rows(program.words, keep)
+    return replace(program, words=words, seconds=seconds, guided=guided, unknown_way=unknown, **columns)
