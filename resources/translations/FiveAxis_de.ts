@@ -1585,7 +1585,7 @@
     </message>
     <message>
         <source>an STL file of a vise, clamp or other fixture, in the part's own place, or with the place of its zero behind it: FILE.stl@X,Y,Z in mm from the work zero, or FILE.stl@X,Y,Z,RX,RY,RZ with degrees, turned about X, then Y, then Z of the work zero; the tool is checked against it, and a path is laid around it; may be repeated</source>
-        <translation>eine STL-Datei eines Schraubstocks, einer Spannpratze oder eines anderen Spannmittels, an seinem Ort beim Werkstück, oder mit dem Ort ihres Nullpunkts dahinter: DATEI.stl@X,Y,Z in mm vom Werkstücknullpunkt, oder DATEI.stl@X,Y,Z,RX,RY,RZ mit Grad, gedreht um X, dann Y, dann Z des Werkstücknullpunkts; das Werkzeug wird dagegen geprüft, und eine Bahn wird darum herum gelegt; darf mehrmals stehen</translation>
+        <translation>eine STL-Datei von Schraubstock, Spanneisen oder anderem Spannmittel, am Ort des Teils, oder mit dem Ort ihres Nullpunkts dahinter: DATEI.stl@X,Y,Z in mm vom Nullpunkt, oder DATEI.stl@X,Y,Z,RX,RY,RZ mit Grad, gedreht um X, dann Y, dann Z des Nullpunkts; das Werkzeug wird dagegen geprüft, und eine Bahn führt darum herum; mehrfach möglich</translation>
     </message>
     <message>
         <source>feed of all its moves, mm/min and deg/min</source>
@@ -5317,7 +5317,7 @@
     </message>
     <message>
         <source>The program says {units}; taken as mm: it then moves {size} mm at most. No F is per minute (G93 and G95 are not), so none tells which unit is meant. Give {option}, mm or inch.</source>
-        <translation>Das Programm sagt {units}; angenommen ist mm: dann fährt es höchstens {size} mm. Kein F ist je Minute angegeben (G93 und G95 sind es nicht), also sagt keines, welche Einheit gemeint ist. Geben Sie {option} an, mm oder inch.</translation>
+        <translation>Das Programm nennt {units}; es wird in mm gelesen und fährt dann höchstens {size} mm. Kein F gilt je Minute (unter G93 und G95 nicht), darum verrät keines die Einheit. {option} angeben, mm oder inch.</translation>
     </message>
     <message>
         <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
@@ -7421,7 +7421,7 @@
     </message>
     <message>
         <source>program O{program} is not in this file; put it there, behind what calls it</source>
-        <translation>das Programm O{program} steht nicht in dieser Datei; setzen Sie es dort hinter das, was es aufruft</translation>
+        <translation>Programm O{program} ist nicht in dieser Datei; es dort hinter das setzen, was es aufruft</translation>
     </message>
     <message>
         <source>program number is {program}; give 1 to 9999</source>
@@ -7637,7 +7637,7 @@
     </message>
     <message>
         <source>subprogram O{name} is not in this file, and no {file} that holds it was found beside it; give the folder of that file with {option}</source>
-        <translation>das Unterprogramm O{name} steht nicht in dieser Datei, und daneben wurde keine Datei {file} gefunden, die es enthält; geben Sie den Ordner dieser Datei mit {option} an</translation>
+        <translation>Unterprogramm O{name} ist nicht in dieser Datei, und daneben liegt keine {file}, die es enthält; deren Ordner mit {option} angeben</translation>
     </message>
     <message>
         <source>table</source>
@@ -9653,11 +9653,11 @@
     </message>
     <message>
         <source>{option} {text}: the place is out of range; give X,Y,Z of at most 100000 mm and angles of at most 360 degrees</source>
-        <translation>{option} {text}: der Ort liegt außerhalb des Bereichs; geben Sie X,Y,Z von höchstens 100000 mm und Winkel von höchstens 360 Grad an</translation>
+        <translation>{option} {text}: der Ort liegt außerhalb; X,Y,Z bis 100000 mm und Winkel bis 360 Grad angeben</translation>
     </message>
     <message>
         <source>{option} {text}: {place} says no place; write X,Y,Z in mm behind the @, or X,Y,Z,RX,RY,RZ in mm and degrees, as vise.stl@10,0,-20 or vise.stl@10,0,-20,0,0,90</source>
-        <translation>{option} {text}: {place} sagt keinen Ort; schreiben Sie X,Y,Z in mm hinter das @, oder X,Y,Z,RX,RY,RZ in mm und Grad, wie vise.stl@10,0,-20 oder vise.stl@10,0,-20,0,0,90</translation>
+        <translation>{option} {text}: {place} ist kein Ort; hinter das @ X,Y,Z in mm schreiben oder X,Y,Z,RX,RY,RZ in mm und Grad, wie vise.stl@10,0,-20 oder vise.stl@10,0,-20,0,0,90</translation>
     </message>
     <message>
         <source>{option} {value}</source>
