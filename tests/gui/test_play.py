@@ -314,9 +314,9 @@ def test_next_singular_passes_over_what_comes_from_a_position_of_the_machine(
         click(shown.controls.singular)
         until(lambda: shown.player.block == row, 20000, f"block {row}")  # noqa: B023
     until(lambda: "Near the pole" in shown.readout.note.text(), 20000, "what stands there")
-    for row in (3, 4):
+    for row in (2, 3, 4):  # to the end of that block, and on
         click(shown.controls.forward)
-        until(lambda: shown.player.block == row, 20000, f"block {row}")  # noqa: B023
+        until(lambda: (shown.player.block, shown.player.u) == (row, 1.0), 20000, f"block {row}")  # noqa: B023
     until(lambda: "a position of the machine" in shown.readout.note.text(), 20000, "whence it comes")
     assert "Near the pole" not in shown.readout.note.text()
 
