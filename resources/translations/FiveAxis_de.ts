@@ -9656,7 +9656,7 @@
         <translation>{option} {text}: der Ort liegt außerhalb; X,Y,Z bis 100000 mm und Winkel bis 360 Grad angeben</translation>
     </message>
     <message>
-        <source>{option} {text}: {place} says no place; write X,Y,Z in mm behind the @, or X,Y,Z,RX,RY,RZ in mm and degrees, as vise.stl@10,0,-20 or vise.stl@10,0,-20,0,0,90</source>
+        <source>{option} {text}: {place} is no place; write X,Y,Z in mm behind the @, or X,Y,Z,RX,RY,RZ in mm and degrees, as vise.stl@10,0,-20 or vise.stl@10,0,-20,0,0,90</source>
         <translation>{option} {text}: {place} ist kein Ort; hinter das @ X,Y,Z in mm schreiben oder X,Y,Z,RX,RY,RZ in mm und Grad, wie vise.stl@10,0,-20 oder vise.stl@10,0,-20,0,0,90</translation>
     </message>
     <message>

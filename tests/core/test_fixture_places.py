@@ -24,7 +24,7 @@ LOW, HIGH = (10.0, -8.0, 0.0), (20.0, -1.0, 25.0)
 TOOL = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6"}
 PATH = {"stepover": 2.0, "passes": "planes", "max_axis_angle": 30, "gouge": "report"}
 FLAGS = ["--machine", "trunnion_ac", "--tool-length", "120", "--cutter", "ball:6"]
-PASSES = ["--stepover", "2", "--passes", "planes", "--max-axis-angle", "30", "--spindle", "9000"]
+PASSES = ["--stepover", "6", "--passes", "planes", "--max-axis-angle", "30", "--spindle", "9000"]
 
 
 @pytest.fixture
@@ -62,6 +62,7 @@ def test_a_turned_box_gives_the_findings_of_the_box_moved_by_hand(files):
     _, placed = hits(files, "lying.stl@10,-8,0,90,0,90")
     assert [one[:4] for one in placed] == [one[:4] for one in by_hand] != []
     assert placed[0][4] == pytest.approx(by_hand[0][4], abs=1e-9)
+    assert hits(files, "lying.stl@10,-8,0,0,90,90")[1] != placed
 
 
 def test_turns_go_about_x_then_y_then_z_of_the_work_frame(files):
@@ -100,7 +101,7 @@ def test_what_says_no_place_is_one_line_with_the_remedy_and_nothing_is_written(f
     assert main(["mill", str(files / "plate.stl"), *FLAGS, "--fixture", given, "-o", str(out)]) == 2
     lines = capsys.readouterr().err.strip().splitlines()
     assert len(lines) == 1 and not out.exists()
-    assert f"'{place}' says no place; write X,Y,Z in mm behind the @" in lines[0]
+    assert f"'{place}' is no place; write X,Y,Z in mm behind the @" in lines[0]
 
 
 @pytest.mark.parametrize("place", ["1e9,0,0", "0,0,0,0,0,361", "0,-100001,0"])

@@ -67,7 +67,7 @@ def parse_fixture(text: str) -> FixtureFile:
 def _no_place(text: str, place: str) -> SettingsError:
     return SettingsError(
         say(
-            "{option} {text}: {place} says no place; write X,Y,Z in mm behind the @, or X,Y,Z,RX,RY,RZ in mm "
+            "{option} {text}: {place} is no place; write X,Y,Z in mm behind the @, or X,Y,Z,RX,RY,RZ in mm "
             "and degrees, as vise.stl@10,0,-20 or vise.stl@10,0,-20,0,0,90",
             option=Option("fixture"), text=repr(text), place=repr(place),
         ),
