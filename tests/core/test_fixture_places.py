@@ -139,14 +139,15 @@ def test_post_audit_and_setup_take_places_and_reports_name_them(files, capsys):
     nc, cl = files / "plate.ngc", files / "plate.apt"
     assert main(["mill", str(files / "plate.stl"), *FLAGS, *PASSES, "-o", str(nc), "--cl", str(cl)]) == 0
     capsys.readouterr()
-    for task, source in (("audit", nc), ("post", cl)):
+    for task, source, place, code, ends in (
+        ("audit", nc, "10,-8,0", 1, ("json", "html")), ("audit", nc, "10,-58,0", 0, ("json",)), ("post", cl, "10,-8,0", 1, ("json",)),
+    ):  # fmt: skip
         written = ["-o", str(files / "again.ngc")] if task == "post" else []
-        for place, code in (("10,-8,0", 1), ("10,-58,0", 0)):
-            report = [one for end in ("json", "html") for one in ("--report", str(files / f"r.{end}"))]
-            fixture = ["--fixture", f"{files / 'own.stl'}@{place}"]
-            assert main([task, str(source), *FLAGS, *fixture, *written, *report]) == code
-            told = (files / "r.json").read_text(), (files / "r.html").read_text(), capsys.readouterr().out
-            assert all(f"own.stl@{place}" in one for one in told)
+        report = [one for end in ends for one in ("--report", str(files / f"r.{end}"))]
+        fixture = ["--fixture", f"{files / 'own.stl'}@{place}"]
+        assert main([task, str(source), *FLAGS, *fixture, *written, *report]) == code
+        told = *((files / f"r.{end}").read_text() for end in ends), capsys.readouterr().out
+        assert all(f"own.stl@{place}" in one for one in told)
     grid = ["--grid", "1,1,1", "--turns", "1", "--gouge", "off", "--fixture", f"{files / 'own.stl'}@10,-8,0"]
     assert main(["setup", str(files / "plate.stl"), *FLAGS, *PASSES[:-2], *grid]) in (0, 1)
     assert "own.stl@10,-8,0" in capsys.readouterr().out
