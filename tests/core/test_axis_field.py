@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from gouge_examples import dense_points
 from test_reach_map import BALL, block, profile, slot
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -293,7 +293,7 @@ def milled(shape, most=None, nodes=module.NODES, **lean):
     return path, given, auto_axes(path, given, field, mesh, reacher, AxisOptions(**lean)), mesh, reacher
 
 
-@some_in_core("nodes", [NODES, module.NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [NODES, module.NODES])
 @some_in_core("lean", [{}, {"lead": 0.1, "tilt": -0.1}], ids=["upright", "leaned"], kept=(1,))
 def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
     path, _, (axis, _, _), _, _ = milled(corner, nodes=nodes, **lean)
@@ -306,7 +306,7 @@ def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [NODES, module.NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [NODES, module.NODES])
 def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals(nodes):
     path, given, (axis, free, _), _, reacher = milled(hollows, nodes=nodes)
     points, row = points_on(hollows, 1.0), slice(None, None, 2)

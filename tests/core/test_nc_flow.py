@@ -267,6 +267,7 @@ PIECES = [
 ]
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 @given(st.lists(st.sampled_from(PIECES), max_size=14), st.sampled_from(["linuxcnc", "haas", "fanuc"]))
 @settings(max_examples=300, deadline=None)
