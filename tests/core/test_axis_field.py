@@ -136,7 +136,7 @@ def test_in_a_bore_little_wider_than_the_tool_it_stands_along_the_wall():
 
 
 def test_without_axes_along_walls_that_bore_would_be_out_of_reach(monkeypatch):
-    monkeypatch.setattr(module, "WIDEST", math.radians(88.0))
+    monkeypatch.setattr(module, "ALONG", module.WIDEST)
     assert not freed_of_bore()[1].all()
 
 
