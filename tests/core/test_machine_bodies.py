@@ -78,9 +78,9 @@ def moved(axis, by):
     return found
 
 
-def dense(machine, words, body, count=160):
-    """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints: by its
-    points on a grid."""
+def dense(machine, words, body, count=160, way=None):
+    """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints, or on
+    that which ``way`` gives at each share: by its points on a grid."""
     setup = Setup(ORIGIN, LENGTH)
     kinematics = chain(machine, setup)
     shift = np.linalg.solve(
@@ -91,7 +91,7 @@ def dense(machine, words, body, count=160):
     grid = low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
     deepest = 0.0
     for share in np.linspace(0.0, 1.0, count):
-        word = words[0] + share * (words[1] - words[0])
+        word = words[0] + share * (words[1] - words[0]) if way is None else way(share)
         q = dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True))
         carried, tool = frames(machine, q)
         in_machine = grid @ carried[body.carrier][:3, :3].T + carried[body.carrier][:3, 3]

@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bodies of the machine where the controller guides the tip: closed forms, and dense samples of the way on
+which the tip stays on its chord, by turns of the test's own."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, TOOL, carriers, dense, frames, program_of
+from thorough import OTHERS_ONCE, some_in_core
+
+from freecad_fiveaxis.core.gouge import machine_check, machine_way
+from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
+from freecad_fiveaxis.core.gouge.machine_way import SHARE, lay_way, plain_way
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.machine.bodies import MachineBody
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.program import Guided, standing
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
+
+SETUP, TOLERANCE, RADIUS = Setup((0.0, 0.0, 0.0), LENGTH), 0.01, 50.0
+
+
+def guided(machine, words, setup=SETUP, motion=None, vector=False):
+    """A program of these words (m, 5) whose tip the controller guides, first row and all."""
+    program = program_of(machine, words, motion)
+    tip, axis = forward(chain(machine, setup), words_to_q(words))
+    return replace(program, guided=Guided(np.ones(len(words), bool), tip, axis if vector else None))
+
+
+def checked(machine, program, setup=SETUP, tolerance=TOLERANCE, **given):
+    whole = InMachine(machine, setup, chain(machine, setup), TOOL, LENGTH, **given)
+    return check_machine(whole, program, None, tolerance)
+
+
+def codes(found):
+    return [one.code for one in found]
+
+
+def tip_over_work(machine, q):
+    """Where the tip is seen from the work, by the test's own turns."""
+    carried, tool = frames(machine, q)
+    table = [axis.letter for axis in machine.fitted if axis.side == "table"]
+    work = carried[table[0] if table else "base"]
+    tip = tool[:3, :3] @ (np.array(machine.gauge_point) - (0, 0, LENGTH)) + tool[:3, 3]
+    return work[:3, :3].T @ (tip - work[:3, 3])
+
+
+def guided_way(machine, words, origin):
+    """The words at a share of a block: the rotary words evenly, the others such that the tip is on its
+    chord."""
+    kinematics = chain(machine, Setup(origin, LENGTH))
+    shift = np.linalg.solve(
+        kinematics.direction[:3].T, np.array(origin) - (np.array(machine.gauge_point) - (0, 0, LENGTH))
+    )
+
+    def tip(word):
+        joints = word + np.concatenate([shift, (0, 0)])
+        return tip_over_work(machine, dict(zip(kinematics.letters, joints, strict=True)))
+
+    ends = [tip(word) for word in words]
+
+    def way(share):
+        word = words[0] + share * (words[1] - words[0])
+        here = tip(word)
+        columns = [tip(word + np.eye(5)[j]) - here for j in range(3)]
+        word[:3] += np.linalg.solve(np.transpose(columns), ends[0] + share * (ends[1] - ends[0]) - here)
+        return word
+
+    return way
+
+
+# --------------------------------------------------------------------------------------------- dense samples
+
+
+@pytest.mark.thorough
+@some_in_core("name", MACHINES, others=OTHERS_ONCE)
+def test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_told(name):
+    rng, plain, setup = np.random.default_rng(7), load_machine(name), Setup(ORIGIN, LENGTH)
+    hit = missed = 0
+    for _ in range(24):
+        carrier = rng.choice(carriers(plain))
+        middle, half = rng.uniform(-25, 25, 3) + ORIGIN, rng.uniform(8, 20, 3)
+        body = MachineBody("box", str(carrier), "box", (tuple(middle - half), tuple(middle + half)))
+        machine = replace(plain, bodies=(body, NOSE))
+        words = np.concatenate([rng.uniform(-30, 30, (2, 3)), rng.uniform(-60, 60, (2, 2))], axis=1)
+        program = guided(machine, words, setup)
+        found = [
+            one
+            for one in checked(machine, program, setup, 0.05)
+            if one.code == "machine-collision" and one.hit.enters != "nose"
+        ]
+        sampled = dense(machine, words, body, way=guided_way(machine, words, ORIGIN))
+        told = found[0].value if found else 0.0
+        assert told >= 0.98 * sampled - 0.15, (carrier, told, sampled)
+        assert told <= sampled + 1.5, (carrier, told, sampled)
+        hit += bool(found)
+        missed += not found
+    assert hit > 3 and missed > 3
+
+
+def test_a_way_in_step_where_it_is_guided_would_be_noticed(monkeypatch):
+    monkeypatch.setattr(machine_check, "lay_way", lambda kinematics, program, tolerance: _in_step(program))
+    with pytest.raises(AssertionError):
+        test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_told("trunnion_ac")
+
+
+def _in_step(program):
+    return plain_way(replace(program, guided=None))
+
+
+@pytest.mark.parametrize("name", ["trunnion_ac", "head_b_table_c", "fork_head_bc", "between", "skew"])
+def test_what_linear_axes_carry_is_off_by_no_more_than_the_bound(name):
+    """Everywhere between the rows put in the linear joints are as far from those in step as is said, at most:
+    in a unit cube of directions, so for every sum of some of them."""
+    machine, rng = _machine(name), np.random.default_rng(3)
+    kinematics = chain(machine, Setup(ORIGIN, LENGTH))
+    worst = 0.0
+    for _ in range(6):
+        words = np.concatenate([rng.uniform(-60, 60, (2, 3)), rng.uniform(-50, 50, (2, 2))], axis=1)
+        laid = lay_way(kinematics, guided(machine, words, Setup(ORIGIN, LENGTH)), 4.0)
+        assert (
+            not laid.undecided.any() and laid.off <= SHARE * 4.0 and (laid.begin == np.sort(laid.begin)).all()
+        )
+        way = guided_way(machine, words, ORIGIN)
+        for piece in range(0, len(laid.block), max(1, len(laid.block) // 6)):
+            for u in (0.25, 0.5, 0.75):
+                start, end = laid.in_step.words[piece], laid.in_step.words[piece + 1]
+                off = way(laid.begin[piece] + u * laid.width[piece]) - (start + u * (end - start))
+                assert np.abs(off[3:]).max() < 1e-9
+                for some in ((1, 1, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
+                    moved = np.linalg.norm((off[:3] * some) @ kinematics.direction[:3])
+                    worst = max(worst, moved)
+                    assert moved <= laid.off + 1e-9
+    assert worst > 0.02 * SHARE * 4.0
+
+
+def _machine(name):
+    """Machines as they come; one with Y between its rotary axes; one whose X leans."""
+    if name == "between":
+        plain = load_machine("trunnion_ac")
+        axes = {axis.letter: axis for axis in plain.axes}
+        y = replace(axes["Y"], side="table")
+        return replace(plain, axes=(axes["C"], y, axes["A"], axes["X"], axes["Z"]))
+    if name == "skew":
+        plain = load_machine("trunnion_ac")
+        lean = (np.cos(0.5), np.sin(0.5), 0.0)
+        return replace(
+            plain,
+            axes=tuple(replace(one, direction=lean) if one.letter == "X" else one for one in plain.axes),
+        )
+    return load_machine(name)
+
+
+# ---------------------------------------------------------------------------------------------- closed forms
+
+
+def ram_and(post, carrier="Z"):
+    """A trunnion with a thin ram that goes with the head, 20 mm beside the gauge point, and a post of the
+    base."""
+    ram = MachineBody("ram", carrier, "cylinder", ((0.0, 0.0, 0.0), (0.0, 0.0, 50.0)), (5.0,))
+    return replace(load_machine("trunnion_ac"), bodies=(ram, post))
+
+
+def half_turn(machine, start, end):
+    """Words of a half turn of C, between two places of the tip over the work."""
+    kinematics = chain(machine, SETUP)
+    tip = np.array([start, end], float)
+    at = kinematics.letters.index("C")
+    angles = np.zeros((2, 2))
+    angles[1, at - 3] = 180.0
+    return standing(kinematics, tip, angles)
+
+
+def post_at(x, y):
+    return MachineBody("post", "base", "cylinder", ((x, y, -10.0), (x, y, 60.0)), (10.0,))
+
+
+STILL = ((RADIUS, 0.0, 0.0), (RADIUS, 0.0, 0.0))
+"""The tip stands over the work while C turns: guided, the head goes round half a circle; in step, straight
+through its middle."""
+
+
+def both_ways(machine, words):
+    return [codes(checked(machine, one)) for one in (guided(machine, words), program_of(machine, words))]
+
+
+def collides(found):
+    return "machine-collision" in found
+
+
+def test_a_post_in_the_circle_is_hit_in_step_alone_and_one_on_it_where_the_tip_is_guided():
+    inside, outside = ram_and(post_at(0.0, 0.0)), ram_and(post_at(0.0, -RADIUS))
+    other = ram_and(post_at(0.0, RADIUS))
+    words = half_turn(inside, *STILL)
+    told, in_step = both_ways(inside, words)
+    assert not told and collides(in_step)
+    round_ = [both_ways(one, words) for one in (outside, other)]
+    assert not any(collides(in_step) for _, in_step in round_)
+    assert sorted(collides(told) for told, _ in round_) == [False, True]
+
+
+@pytest.mark.parametrize(("off", "hits"), [(0.002, False), (0.02, False), (-0.05, True), (-1.0, True)])
+@pytest.mark.parametrize("carrier", ["Z", "spindle"])
+def test_a_post_just_outside_the_circle_is_missed_and_hit_as_geometry_gives(off, hits, carrier):
+    """Of a body of the head, and of the spindle, which the other check looks at. It is nearest in the middle
+    of the block, between two rows that are put in or at one of them."""
+    for side, count in ((1.0, 0), (-1.0, 0)):
+        machine = ram_and(post_at(0.0, side * (RADIUS + 15.0 + off)), carrier)
+        found = checked(machine, guided(machine, half_turn(machine, *STILL)))
+        count += len(found)
+        if found:
+            (one,) = found
+            assert one.code == "machine-collision" and (one.block, one.line) == (1, 2)
+            assert 0.55 * -off <= one.value <= -off + 1e-6 and one.hit.u == pytest.approx(0.5, abs=0.02)
+            assert {one.hit.enters, one.hit.entered} == (
+                {"spindle", "post"} if carrier == "spindle" else {"ram", "post"}
+            )
+        assert count <= hits
+        if hits and count:
+            return
+    assert not hits
+
+
+def test_pieces_that_are_too_long_or_an_off_that_is_forgotten_would_be_noticed(monkeypatch):
+    monkeypatch.setattr(machine_way, "SHARE", 1000.0)
+    laid = machine_way.lay_way
+    monkeypatch.setattr(machine_check, "lay_way", lambda *given: laid(*given)._replace(off=0.0))
+    with pytest.raises(AssertionError):
+        test_a_post_just_outside_the_circle_is_missed_and_hit_as_geometry_gives(-1.0, True, "Z")
+
+
+def test_the_same_block_is_told_among_others_and_by_its_own_line():
+    """Blocks before and after it; one of them turns nothing, so it is one piece."""
+    machine = ram_and(post_at(0.0, RADIUS))
+    turn = half_turn(machine, *STILL)
+    up = turn[:1] + (0.0, 0.0, 100.0, 0.0, 0.0)
+    back = turn[:1]
+    for words, block in ((np.concatenate([up, turn]), 2), (np.concatenate([turn, back]), None)):
+        told = [one for side in (1.0, -1.0) for one in _on_side(machine, words, side)]
+        assert codes(told) == ["machine-collision"] * len(told) and told
+        assert block is None or {one.block for one in told} == {block}
+
+
+def _on_side(machine, words, side):
+    machine = replace(machine, bodies=(machine.bodies[0], post_at(0.0, side * RADIUS)))
+    return checked(machine, guided(machine, words))
+
+
+def test_what_comes_nearer_than_the_clearance_is_told_with_the_distance():
+    for carrier in ("Z", "spindle"):
+        near = []
+        for side in (1.0, -1.0):
+            machine = ram_and(post_at(0.0, side * (RADIUS + 18.0)), carrier)
+            near += checked(machine, guided(machine, half_turn(machine, *STILL)), clearance=5.0)
+        (one,) = near
+        assert one.code == "machine-near" and one.value == pytest.approx(3.0, abs=0.35)
+
+
+# ------------------------------------------------------------------------------------- what is not decided
+
+
+def test_of_vectors_it_is_said_what_is_taken_for_granted_and_ends_alone_where_no_division_helps(monkeypatch):
+    machine = ram_and(post_at(0.0, 0.0))
+    words = half_turn(machine, *STILL)
+    (said,) = checked(machine, guided(machine, words, vector=True))
+    assert said.code == "machine-unproven" and "vector" in said.text and said.severity == "note"
+    monkeypatch.setattr(machine_way, "MOST_PARTS", 4)
+    (said,) = checked(machine, guided(machine, words))
+    assert said.code == "machine-unproven" and (said.block, said.line) == (1, 2) and "1 blocks" in said.text
+    monkeypatch.setattr(machine_way, "MOST_PARTS", 8192)
+    monkeypatch.setattr(machine_way, "MOST_ROWS", 3)
+    assert codes(checked(machine, guided(machine, words))) == ["machine-unproven"]
+
+
+def test_of_a_guided_rapid_the_ways_of_independent_axes_are_looked_at_too():
+    """In the middle of the circle: on the guided way nothing is hit, on one of independent axes it is."""
+    rapid = np.full(2, Motion.RAPID, np.int8)
+    for carrier in ("Z", "spindle"):
+        machine = ram_and(post_at(0.0, 0.0), carrier)
+        program = guided(machine, half_turn(machine, *STILL), motion=rapid)
+        assert not checked(machine, program)
+        assert codes(checked(machine, program, rapids="independent")) == ["machine-collision"]
+
+
+def test_a_program_of_one_row_or_none_has_no_blocks_to_look_at():
+    machine = ram_and(post_at(0.0, 0.0))
+    words = half_turn(machine, *STILL)
+    assert not checked(machine, guided(machine, words[:1])) and not checked(
+        machine, guided(machine, words[:0])
+    )
