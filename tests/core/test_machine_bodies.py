@@ -347,8 +347,19 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
     assert codes[0] == 1 and "machine-collision" in said[0] and "machine-collision" not in said[1]
     guided = ["--controller", "fanuc", "--rtcp", "angles", "--tool", "1", "--linearize", "off"]
     assert cli.main([*given, *guided, "--machine", str(machine), "-o", str(tmp_path / "guided.nc")]) == 0
-    unknown = json.loads((tmp_path / "r.json").read_text())["scope"]["unknown"]
-    assert "machine's own bodies" in unknown[0] and "other bodies" not in unknown[0]
+    rests = json.loads((tmp_path / "r.json").read_text())["scope"]
+    assert "other bodies of the machine" in rests["unknown"][0]
+    assert any("machine's bodies: far" in one for one in rests["proven"])
+    assert any("turns the rotary axes evenly" in one for one in rests["assumed"])
+    guided[3] = "vectors"  # which may be turned otherwise: nothing of it is called proven
+    assert cli.main([*given, *guided, "--machine", str(machine), "-o", str(tmp_path / "vectors.nc")]) == 0
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert not any("machine's bodies: far" in one for one in report["scope"]["proven"])
+    assert "machine-unproven" in [one["code"] for one in report["findings"]]
+    near = machine_file(tmp_path, [post])
+    guided[3] = "angles"
+    assert cli.main([*given, *guided, "--machine", str(near), "-o", str(tmp_path / "hit.nc")]) == 1
+    assert "machine-collision" in (tmp_path / "r.json").read_text()
     assert (tmp_path / "post.ngc").read_bytes() == (tmp_path / "far.ngc").read_bytes()
     vise = machine_file(tmp_path, [GOOD[4]])
     assert cli.main([*given, "--machine", str(vise), "-o", str(tmp_path / "none.ngc")]) == 2

@@ -44,11 +44,14 @@ SHARE = 0.25
 MOST_PARTS, MOST_ROWS = 8192, 3_000_000
 """Pieces of a block, and of a program."""
 
-ROUNDS = 8
+ROUNDS = 12
 """Of division: the bound of a piece is seldom exactly that of its block by the square of their number."""
 
 ROOM = 1.05
 """So many times more pieces than the square root asks for: spares a round."""
+
+UNBOUNDED = 4.0
+"""So many times more where the bound of a piece says nothing, because it turns too far."""
 
 LEAST_SINGULAR = 1e-3
 """Linear axes that nearly lie in a plane bound nothing."""
@@ -139,7 +142,8 @@ def _worst_of(way: MachineWay, off: Floats) -> Floats:
 def _more_parts(parts: Ints, worst: Floats, most: float, wide: Bools, lost: Bools) -> tuple[Ints, Bools]:
     """Give more parts to blocks that are too ``wide``, as far as there may be; those that would be too many
     are lost, the longest first."""
-    wanted = np.where(wide, np.ceil(ROOM * parts * np.sqrt(worst / most)), parts)
+    more = np.where(np.isfinite(worst), ROOM * np.sqrt(worst / most), UNBOUNDED)
+    wanted = np.where(wide, np.ceil(parts * more), parts)
     gone: Bools = np.asarray(lost | ~(wanted <= MOST_PARTS))
     wanted = np.where(gone, 1.0, wanted)
     order = np.argsort(wanted, kind="stable")
