@@ -6,17 +6,23 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from mesh_shapes import box
 from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, TOOL, carriers, dense, frames, program_of
 from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge import machine_check, machine_way
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.machine_way import SHARE, lay_way, plain_way
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.program import Guided, standing
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.report.playback import Playback
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 SETUP, TOLERANCE, RADIUS, RAM = Setup((0.0, 0.0, 0.0), LENGTH), 0.01, 50.0, 20.0
@@ -299,3 +305,64 @@ def test_a_program_of_one_row_or_none_has_no_blocks_to_look_at():
     assert not checked(machine, guided(machine, words[:1])) and not checked(
         machine, guided(machine, words[:0])
     )
+
+
+# ---------------------------------------------------------------------------------- played, and by the command
+
+
+def test_play_shows_the_way_that_was_looked_at():
+    machine = ram_and(beside(-1.0))
+    words = half_turn(machine, (RADIUS, 0.0, 0.0), (RADIUS, 10.0, 4.0))
+    program, kinematics = guided(machine, words), chain(machine, SETUP)
+    play = Playback(kinematics, program, measure(kinematics, words))
+    way = guided_way(machine, words, (0.0, 0.0, 0.0))
+    for u in (0.0, 0.3, 0.5, 1.0):
+        pose = play.at_block(1, u)
+        assert pose.words == pytest.approx(way(u), abs=1e-9)
+        assert pose.tip == pytest.approx([RADIUS, 10.0 * u, 4.0 * u], abs=1e-9) and pose.to_chord < 1e-9
+    drawn = play.curve(1)
+    assert (
+        len(drawn) > 50
+        and np.linalg.norm(np.cross(drawn - drawn[0], drawn[-1] - drawn[0]), axis=1).max() < 1e-6
+    )
+    in_step = Playback(kinematics, program_of(machine, words), measure(kinematics, words))
+    assert np.linalg.norm(in_step.at_block(1, 0.5).tip - play.at_block(1, 0.5).tip) > 10.0
+
+
+SHIPPED = (("trunnion_with_bodies", -90.0, 160.0, True), ("trunnion_with_bodies", -90.0, 35.0, False),
+           ("head_table_with_bodies", -60.0, 150.0, True), ("head_table_with_bodies", -140.0, 150.0, False))  # fmt: skip
+
+
+@some_in_core(("name", "height", "length", "free"), SHIPPED, kept=(0, 3))
+def test_a_guided_program_is_milled_on_machines_with_bodies_and_audited_alike(
+    tmp_path, name, height, length, free
+):
+    """What is read again hits what was found when it was written, in the same line."""
+    write_stl(from_triangles(box((-30, -20, height), (30, 20, height + 10))), tmp_path / "part.stl")
+    given = {"machine": name, "cutter": "ball:6:30", "tool_length": length, "controller": "fanuc", "tool": 1}
+    made = {
+        "passes": "planes",
+        "stepover": 8,
+        "tool_axis": "facet_mean",
+        "max_axis_angle": 91,
+        "spindle": "off",
+    }
+    milled = job.run(
+        build_settings(
+            "mill",
+            str(tmp_path / "part.stl"),
+            {**given, **made, "gouge": "off", "linearize": "off", "rtcp": "angles"},
+        )
+    )
+    found = _of_machine(milled.findings)
+    assert ("machine-collision" in codes(found)) != free and "machine-unproven" not in codes(found)
+    (tmp_path / "p.nc").write_bytes(milled.nc)
+    again = _of_machine(job.run(build_settings("audit", str(tmp_path / "p.nc"), given)).findings)
+    assert {(one.line, one.hit.enters) for one in again if one.hit} <= {
+        (one.line, one.hit.enters) for one in found if one.hit
+    }
+    assert ("machine-collision" in codes(again)) != free
+
+
+def _of_machine(findings):
+    return [one for one in findings if one.code in ("machine-collision", "machine-unproven")]

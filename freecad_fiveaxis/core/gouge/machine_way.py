@@ -167,7 +167,7 @@ def _divide(kinematics: Chain, program: Program, parts: Ints, guided: Bools) -> 
     taken = {name: getattr(program, name)[owner] for name in columns}
     unknown = None if program.unknown_way is None else program.unknown_way[owner]
     words = _put_in(kinematics, program, block, step, parts)
-    bad = ~(np.abs(words) <= FARTHEST_WORD).all(axis=1)  # NaN, too
+    bad: Bools = np.asarray(~(np.abs(words) <= FARTHEST_WORD).all(axis=1))  # NaN, too
     words[bad] = program.words[owner[bad]]
     in_step = replace(program, words=words, guided=None, unknown_way=unknown, findings=(), **taken)
     off = np.where(guided[block], _bound_off(kinematics, words), 0.0)

@@ -157,11 +157,11 @@ def _state_assumptions(figures: Figures, numbers: Mapping[str, Any]) -> Iterator
             "alone were verified",
             count=numbers["guided_blocks"],
         )
-        if name_checked_bodies(figures):
-            yield say(
-                "meanwhile it turns the rotary axes evenly: so were tool, spindle and the machine's bodies "
-                "looked at between the ends, too"
-            )
+    if figures.program.guided is not None and name_checked_bodies(figures):
+        yield say(
+            "where the controller guides the tip it turns the rotary axes evenly: so were tool, spindle and "
+            "the machine's bodies looked at between the blocks' ends"
+        )
     if is_checked(figures) and figures.rapids == INTERPOLATED:
         yield say("in a rapid all axes run in proportion to each other ({rapids})", rapids=Option("rapids"))
 
