@@ -2,6 +2,7 @@
 """Bodies of the machine where the controller guides the tip: closed forms, and dense samples of the way on
 which the tip stays on its chord, by turns of the test's own."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,7 @@ from mesh_shapes import box
 from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, TOOL, carriers, dense, frames, program_of
 from thorough import OTHERS_ONCE, some_in_core
 
+from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge import machine_check, machine_way
@@ -20,8 +22,6 @@ from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.program import Guided, standing
-from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report.playback import Playback
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -339,30 +339,35 @@ def test_a_guided_program_is_milled_on_machines_with_bodies_and_audited_alike(
 ):
     """What is read again hits what was found when it was written, in the same line."""
     write_stl(from_triangles(box((-30, -20, height), (30, 20, height + 10))), tmp_path / "part.stl")
-    given = {"machine": name, "cutter": "ball:6:30", "tool_length": length, "controller": "fanuc", "tool": 1}
-    made = {
-        "passes": "planes",
-        "stepover": 8,
-        "tool_axis": "facet_mean",
-        "max_axis_angle": 91,
-        "spindle": "off",
-    }
-    milled = job.run(
-        build_settings(
-            "mill",
-            str(tmp_path / "part.stl"),
-            {**given, **made, "gouge": "off", "linearize": "off", "rtcp": "angles"},
+    given = [
+        "--machine",
+        name,
+        "--cutter",
+        "ball:6:30",
+        "--tool-length",
+        str(length),
+        "--controller",
+        "fanuc",
+    ]
+    made = [*["--passes", "planes", "--stepover", "8", "--tool-axis", "facet_mean", "--max-axis-angle", "91", "--spindle", "off"],
+            *["--gouge", "off", "--linearize", "off", "--rtcp", "angles", "--tool", "1"]]  # fmt: skip
+    nc, report = tmp_path / "p.nc", tmp_path / "r.json"
+    found, again = (
+        _said_of_machine(cli.main([*task, *given, "--report", str(report)]), report)
+        for task in (
+            ["mill", str(tmp_path / "part.stl"), *made, "-o", str(nc)],
+            ["audit", str(nc)],
         )
     )
-    found = _of_machine(milled.findings)
-    assert ("machine-collision" in codes(found)) != free and "machine-unproven" not in codes(found)
-    (tmp_path / "p.nc").write_bytes(milled.nc)
-    again = _of_machine(job.run(build_settings("audit", str(tmp_path / "p.nc"), given)).findings)
-    assert {(one.line, one.hit.enters) for one in again if one.hit} <= {
-        (one.line, one.hit.enters) for one in found if one.hit
+    assert bool(found) != free and bool(again) != free
+    assert {code for code, *_ in (*found, *again)} <= {"machine-collision"} and again <= found
+
+
+def _said_of_machine(code, report):
+    """Codes, lines and what enters what, of what a command says of the machine."""
+    assert code in (0, 1)
+    return {
+        (one["code"], one["line"], *(one["hit"] or {}).values())[:4]
+        for one in json.loads(report.read_text())["findings"]
+        if one["code"] in ("machine-collision", "machine-unproven")
     }
-    assert ("machine-collision" in codes(again)) != free
-
-
-def _of_machine(findings):
-    return [one for one in findings if one.code in ("machine-collision", "machine-unproven")]
