@@ -5380,8 +5380,8 @@
         <translation>Die Werkzeugachse liegt auf {length} der Bahnen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
     </message>
     <message>
-        <source>The tool axis is given by vectors. What was looked at of the machine's bodies holds where the controller turns the rotary axes evenly from end to end of a block; where it turns the vector itself, they go otherwise in between.</source>
-        <translation>Die Werkzeugachse ist durch Vektoren gegeben. Was von den Körpern der Maschine angesehen wurde, gilt, wo die Steuerung die Drehachsen von Satzende zu Satzende gleichmäßig dreht; wo sie den Vektor selbst dreht, gehen sie dazwischen anders.</translation>
+        <source>The tool axis is given by vectors. What was looked at of the machine's bodies holds where the controller takes the same rotary words at the blocks' ends and turns them evenly in between; it may choose others, and where it turns the vector itself they go otherwise.</source>
+        <translation>Die Werkzeugachse ist durch Vektoren gegeben. Was von den Körpern der Maschine angesehen wurde, gilt, wo die Steuerung an den Satzenden dieselben Drehachswörter nimmt und sie dazwischen gleichmäßig dreht; sie kann andere wählen, und wo sie den Vektor selbst dreht, gehen sie anders.</translation>
     </message>
     <message>
         <source>The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>

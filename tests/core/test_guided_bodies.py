@@ -142,6 +142,12 @@ def test_what_linear_axes_carry_is_off_by_no_more_than_the_bound(name):
     assert worst > 0.02 * SHARE * 4.0
 
 
+def test_rows_that_are_not_put_in_would_be_noticed(monkeypatch):
+    monkeypatch.setitem(globals(), "lay_way", lambda kinematics, program, tolerance: _in_step(program))
+    with pytest.raises(AssertionError):
+        test_what_linear_axes_carry_is_off_by_no_more_than_the_bound("trunnion_ac")
+
+
 def _machine(name):
     """Machines as they come; one with Y between its rotary axes; one whose X leans."""
     if name == "between":

@@ -83,8 +83,8 @@ def _report_guided(way: MachineWay) -> Iterator[Finding]:
     if guided is not None and guided.vector is not None:
         text = say(
             "The tool axis is given by vectors. What was looked at of the machine's bodies holds where the "
-            "controller turns the rotary axes evenly from end to end of a block; where it turns the vector "
-            "itself, they go otherwise in between."
+            "controller takes the same rotary words at the blocks' ends and turns them evenly in between; it "
+            "may choose others, and where it turns the vector itself they go otherwise."
         )
         yield report_finding(Code.MACHINE_UNPROVEN, text, severity=Severity.NOTE)
     if len(rows):
