@@ -1584,8 +1584,8 @@
         <translation>ein Ordner mit den Programmen, die das Programm aufruft, neben seinem eigenen; darf wiederholt werden</translation>
     </message>
     <message>
-        <source>an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against it, and a path is laid around it; may be repeated</source>
-        <translation>eine STL-Datei von Schraubstock, Spanneisen oder anderem Spannmittel, am Ort des Teils: das Werkzeug wird dagegen geprüft, und eine Bahn führt darum herum; mehrfach möglich</translation>
+        <source>an STL file of a vise, clamp or other fixture, in the part's own place, or with the place of its zero behind it: FILE.stl@X,Y,Z in mm from the work zero, or FILE.stl@X,Y,Z,RX,RY,RZ with degrees, turned about X, then Y, then Z of the work zero; the tool is checked against it, and a path is laid around it; may be repeated</source>
+        <translation>eine STL-Datei von Schraubstock, Spanneisen oder anderem Spannmittel, am Ort des Teils, oder mit dem Ort ihres Nullpunkts dahinter: DATEI.stl@X,Y,Z in mm vom Nullpunkt, oder DATEI.stl@X,Y,Z,RX,RY,RZ mit Grad, gedreht um X, dann Y, dann Z des Nullpunkts; das Werkzeug wird dagegen geprüft, und eine Bahn führt darum herum; mehrfach möglich</translation>
     </message>
     <message>
         <source>feed of all its moves, mm/min and deg/min</source>
@@ -5316,6 +5316,10 @@
         <translation>Das Programm nennt {units}; es wird in mm gelesen und fährt dann höchstens {size} mm, mit F bis {feed}. {option} angeben, mm oder inch.</translation>
     </message>
     <message>
+        <source>The program says {units}; taken as mm: it then moves {size} mm at most. No F is per minute (G93 and G95 are not), so none tells which unit is meant. Give {option}, mm or inch.</source>
+        <translation>Das Programm nennt {units}; es wird in mm gelesen und fährt dann höchstens {size} mm. Kein F gilt je Minute (unter G93 und G95 nicht), darum verrät keines die Einheit. {option} angeben, mm oder inch.</translation>
+    </message>
+    <message>
         <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
         <translation>Das Programm benutzt {count} Nullpunktverschiebungen; ihr Abstand ist nicht bekannt, und die NC-Sätze dazwischen stimmen nicht.</translation>
     </message>
@@ -7420,8 +7424,8 @@
         <translation>Polarkoordinaten, deren Bewegungen hier fehlen; X, Y und Z ausgeben</translation>
     </message>
     <message>
-        <source>program O{program} is not in this file</source>
-        <translation>Programm O{program} ist nicht in dieser Datei</translation>
+        <source>program O{program} is not in this file; put it there, behind what calls it</source>
+        <translation>Programm O{program} ist nicht in dieser Datei; es dort hinter das setzen, was es aufruft</translation>
     </message>
     <message>
         <source>program number is {program}; give 1 to 9999</source>
@@ -7636,8 +7640,8 @@
         <translation>Strecken, von denen das Werkzeug nicht wegkäme, sind ausgelassen</translation>
     </message>
     <message>
-        <source>subprogram O{name} is not in this file</source>
-        <translation>Unterprogramm O{name} ist nicht in dieser Datei</translation>
+        <source>subprogram O{name} is not in this file, and no {file} that holds it was found beside it; give the folder of that file with {option}</source>
+        <translation>Unterprogramm O{name} ist nicht in dieser Datei, und daneben liegt keine {file}, die es enthält; deren Ordner mit {option} angeben</translation>
     </message>
     <message>
         <source>table</source>
@@ -9654,6 +9658,14 @@
     <message>
         <source>{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them</source>
         <translation>{option} {source} ist weder border noch X,Y,Z noch eine Datei CURVE.csv; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>{option} {text}: the place is out of range; give X,Y,Z of at most 100000 mm and angles of at most 360 degrees</source>
+        <translation>{option} {text}: der Ort liegt außerhalb; X,Y,Z bis 100000 mm und Winkel bis 360 Grad angeben</translation>
+    </message>
+    <message>
+        <source>{option} {text}: {place} is no place; write X,Y,Z in mm behind the @, or X,Y,Z,RX,RY,RZ in mm and degrees, as vise.stl@10,0,-20 or vise.stl@10,0,-20,0,0,90</source>
+        <translation>{option} {text}: {place} ist kein Ort; hinter das @ X,Y,Z in mm schreiben oder X,Y,Z,RX,RY,RZ in mm und Grad, wie vise.stl@10,0,-20 oder vise.stl@10,0,-20,0,0,90</translation>
     </message>
     <message>
         <source>{option} {value}</source>

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from mesh_shapes import box
 from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, TOOL, carriers, dense, frames, program_of
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.findings import Severity
@@ -81,7 +81,7 @@ def guided_way(machine, words, origin):
 
 
 @pytest.mark.thorough
-@some_in_core("name", (*MACHINES, "between", "skew"), others=OTHERS_ONCE)
+@some_in_core("name", (*MACHINES, "between", "skew"))
 def test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_told(name):
     rng, plain, setup = np.random.default_rng(7), _machine(name), Setup(ORIGIN, LENGTH)
     hit = missed = 0

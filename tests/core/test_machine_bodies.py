@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from mesh_shapes import box
 from scipy.spatial.transform import Rotation
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import MachineError
@@ -116,7 +116,7 @@ def carriers(machine):
 
 
 @pytest.mark.thorough
-@some_in_core("name", MACHINES, others=OTHERS_ONCE)
+@some_in_core("name", MACHINES)
 def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
     """Random boxes on each carrier and random blocks: with a straight way of the joints nothing is missed,
     and what is told is there."""

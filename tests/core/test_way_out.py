@@ -12,7 +12,7 @@ from test_axis_field import NODES as FEW
 from test_axis_field import take_nodes, trunnion
 from test_facets_with_axis import milled
 from test_reach_map import profile
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge.obstacles import Reacher, within_limits
@@ -89,7 +89,7 @@ def t_slot():
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [FEW, NODES])
 def test_what_lies_under_a_lip_is_left_out_and_not_lifted_over_the_part(nodes, monkeypatch):
     """The ball stands freely at the sides of the slot's floor, under its lips, but nothing can be drawn out
     within 25 deg."""

@@ -43,9 +43,9 @@ NODES = 1300
 DIRECTIONS = 250
 """Unit vectors over the whole sphere; about 14 deg from one to the next."""
 
-WIDEST = math.radians(88.0)
-"""How far a direction may lean from the normal of the surface: in a deep pocket the tool stands nearly along
-its walls."""
+WIDEST = math.radians(90.001)
+"""How far a direction may lean from the normal of the surface: in a bore little wider than the tool, and in a
+deep slot, it stands along the walls; with a hair more, for normals are rounded."""
 
 MAIN = 8
 """Normals, at most, along which the part may have pockets and bores: those of most area."""
