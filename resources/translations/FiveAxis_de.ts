@@ -3083,8 +3083,8 @@
         <translation>Der Befehl „Restmaterial“ zeigt, wo. Diese Stellen mit einem kleineren Fräser oder mit anderer Werkzeugachse fräsen.</translation>
     </message>
     <message>
-        <source>The controller guides the tip (RTCP); shown are evenly moving axes.</source>
-        <translation>Die Steuerung führt die Spitze (RTCP); gezeigt sind gleichmäßig bewegte Achsen.</translation>
+        <source>The controller guides the tip (RTCP); shown is the tip on its straight way while the rotary axes turn evenly.</source>
+        <translation>Die Steuerung führt die Spitze (RTCP); gezeigt ist die Spitze auf ihrem geraden Weg, während die Drehachsen gleichmäßig drehen.</translation>
     </message>
     <message>
         <source>The controller guides the tip; the program gives the rotary axes.</source>
@@ -4800,6 +4800,10 @@
         <translation>In {count} Sätzen steckt der ganze Fräser in: {name}.</translation>
     </message>
     <message>
+        <source>In {count} blocks whose tip the controller guides, the first in NC line {line}, the way of the axes is not bounded closely enough: the machine's bodies were looked at where these blocks end, not in between.</source>
+        <translation>In {count} Sätzen, deren Spitze die Steuerung führt, der erste in NC-Zeile {line}, ist der Weg der Achsen nicht eng genug eingegrenzt: die Körper der Maschine wurden an den Enden dieser Sätze angesehen, nicht dazwischen.</translation>
+    </message>
+    <message>
         <source>In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis would need another branch or winding; its axis deviation stays as it was. Lead the tool round the pole to avoid it.</source>
         <translation>In {count} geteilten NC-Sätzen drehen die Rundachsen gleichmäßig, weil der gerade Schwenk der Werkzeugachse einen anderen Zweig oder eine andere Windung bräuchte; die Abweichung der Achse bleibt, wie sie war. Das Werkzeug um den Pol herumführen, um das zu vermeiden.</translation>
     </message>
@@ -5148,10 +5152,6 @@
         <translation>Die Steuerung führt die Werkzeugspitze (RTCP). Nachgewiesen ist, dass jeder Satz innerhalb {off} an der Spitze des Werkzeugwegs und innerhalb {lean} an seiner Werkzeugachse endet, so wie die Maschinendatei die Maschine beschreibt; wie Spitze und Achsen von Ende zu Ende gehen, ist Sache der Steuerung und hier nicht nachgewiesen.</translation>
     </message>
     <message>
-        <source>The controller guides the tip, so where the axes stand between the ends of blocks is not known: the machine's bodies were not looked at.</source>
-        <translation>Die Steuerung führt die Spitze, daher ist nicht bekannt, wo die Achsen zwischen den Satzenden stehen: die Körper der Maschine wurden nicht angesehen.</translation>
-    </message>
-    <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
         <translation>Der Fräser dringt auf dem Weg zwischen den Bahnen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>
@@ -5382,6 +5382,10 @@
     <message>
         <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
         <translation>Die Werkzeugachse liegt auf {length} der Bahnen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>The tool axis is given by vectors. What was looked at of the machine's bodies holds where the controller takes the same rotary words at the blocks' ends and turns them evenly in between; it may choose others, and where it turns the vector itself they go otherwise.</source>
+        <translation>Die Werkzeugachse ist durch Vektoren gegeben. Was von den Körpern der Maschine angesehen wurde, gilt, wo die Steuerung an den Satzenden dieselben Drehachswörter nimmt und sie dazwischen gleichmäßig dreht; sie kann andere wählen, und wo sie den Vektor selbst dreht, gehen sie anders.</translation>
     </message>
     <message>
         <source>The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
@@ -8550,6 +8554,10 @@
     <message>
         <source>where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended</source>
         <translation>wo er beginnt, ist nicht bekannt: X, Y und Z sind nicht alle genannt, seit die geschwenkte Ebene begann oder endete</translation>
+    </message>
+    <message>
+        <source>where the controller guides the tip it turns the rotary axes evenly: so were tool, spindle and the machine's bodies looked at between the blocks' ends</source>
+        <translation>wo die Steuerung die Spitze führt, dreht sie die Drehachsen gleichmäßig: so wurden Werkzeug, Spindel und die Körper der Maschine zwischen den Satzenden angesehen</translation>
     </message>
     <message>
         <source>where the table is, is not known</source>
