@@ -48,8 +48,8 @@ WIDEST = math.radians(88.0)
 its walls."""
 
 ALONG = math.radians(90.001)
-"""How far it may lean where the tool may stand along walls: in a bore little wider than the tool no other axis
-is free; with a hair more, for normals are rounded."""
+"""How far it may lean where the tool may stand along walls: in a bore little wider than the tool no other
+axis is free; with a hair more, for normals are rounded."""
 
 MAIN = 8
 """Normals, at most, along which the part may have pockets and bores: those of most area."""
