@@ -5416,8 +5416,8 @@
         <translation>Das Werkzeug zeigt woandershin: was das heißt, sagt die Tabelle unten. Sind die Vorzeichen richtig gesehen: die Drehpunktversätze sind falsch.</translation>
     </message>
     <message>
-        <source>The tool was lifted over {length} of the passes, most at {place}, where {lift} stay uncut along its axis. Cut these places with a smaller cutter or another tool axis.</source>
-        <translation>Das Werkzeug wurde auf {length} der Bahnen abgehoben, am meisten bei {place}, wo entlang seiner Achse {lift} stehen bleiben. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
+        <source>The tool was lifted over {length} of the passes, most at {place}: by {lift} along its axis. What no other pass cuts there stays. Cut these places with a smaller cutter or another tool axis.</source>
+        <translation>Das Werkzeug wurde auf {length} der Bahnen abgehoben, am meisten bei {place}: um {lift} entlang seiner Achse. Was dort keine andere Bahn schneidet, bleibt stehen. Diese Stellen mit einem kleineren Fräser oder einer anderen Werkzeugachse fräsen.</translation>
     </message>
     <message>
         <source>The tool {what} along Z through the part, because the tool axis points downwards there. Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand.</source>
@@ -8152,8 +8152,8 @@
         <translation>das Werkzeug ist dort in keiner der Lagen frei</translation>
     </message>
     <message>
-        <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
-        <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben, was es stehen lässt, bleibt ungefräst</translation>
+        <source>the tool is lifted out of the part by up to {value}</source>
+        <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben</translation>
     </message>
     <message>
         <source>the tool is wider than the hole</source>

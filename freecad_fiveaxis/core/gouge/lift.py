@@ -374,8 +374,8 @@ def _findings(path: CLPath, way: _Way) -> tuple[Finding, ...]:
     length = float(np.linalg.norm(np.diff(way.tip, axis=0), axis=1)[blocks].sum())
     x, y, z = path.contact[_row(way)[worst]].tolist()
     text = say(
-        "The tool was lifted over {length} of the passes, most at {place}, where {lift} stay uncut along its "
-        "axis. Cut these places with a smaller cutter or another tool axis.",
+        "The tool was lifted over {length} of the passes, most at {place}: by {lift} along its axis. What no "
+        "other pass cuts there stays. Cut these places with a smaller cutter or another tool axis.",
         length=Length(length, ".4g"),
         place=Point((x, y, z), ".6g"),
         lift=Length(way.lift[worst], ".4g"),

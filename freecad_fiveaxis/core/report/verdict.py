@@ -236,7 +236,7 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
 
 WARNED: Mapping[str, Template] = {
     Code.SPINDLE_OFF: Template("the spindle stays off"),
-    Code.LIFTED: Template("the tool is lifted out of the part by up to {value}, what it leaves stays uncut"),
+    Code.LIFTED: Template("the tool is lifted out of the part by up to {value}"),
     Code.LEFT_OUT: Template("{value} of the passes are left out"),
     Code.UNCUT: Template("more than scallops stays uncut on {value}"),
     Code.NEAR_AVOIDED_FACES: Template(
