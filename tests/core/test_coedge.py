@@ -17,7 +17,7 @@ ANGLE = np.radians(17.0)
 
 
 def closed(contact, radius=5.0, tolerance=0.01):
-    mesh = from_faces([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    mesh = from_faces([[900, 0, 0], [901, 0, 0], [900, 1, 0]], [[0, 1, 2]])  # no facet is where the path is
     return close_gaps(contact, mesh, radius, tolerance)
 
 

@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.base.sentences import Choice, Length, plural, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import ContactPath
 
+from .breaks import Part
 from .columns import Columns
 from .junction import Segments, find_segments, groups
 from .rows import Closed, close_rows, row_begins
@@ -138,16 +139,19 @@ def close_gaps(
             )
     progress("closing co-edges", 0.0)
     cut = None if keep is None else keep[contact.face[::2]]  # which segments lie in facets that are kept
-    segments = find_segments(contact)
+    segments, part = find_segments(contact), Part(mesh, radius)
 
     def close(group: Segments) -> Closed:
-        return close_rows(group, radius, tolerance, cut)
+        return close_rows(group, radius, tolerance, cut, part)
 
     parts = in_threads(close, groups(segments), lambda done: progress("closing co-edges", 0.5 * done))
     columns = Columns(contact, segments, parts)
     in_threads(columns.write, range(len(parts)), lambda done: progress("closing co-edges", 0.5 + 0.5 * done))
     progress("closing co-edges", 1.0)
-    return OffsetPath(**columns.values, **columns.walls, findings=_findings(contact, parts, cut))
+    path = OffsetPath(**columns.values, **columns.walls, findings=_findings(contact, parts, cut))
+    broken = np.zeros(len(path.point), bool)
+    broken[columns.breaks] = True
+    return break_polylines(path, broken[1:])
 
 
 def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> tuple[Finding, ...]:
