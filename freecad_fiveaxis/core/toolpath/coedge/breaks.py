@@ -26,9 +26,9 @@ from freecad_fiveaxis.core.geometry.nearest import Facets, Pieces, nearest, sear
 
 from .chord import Chords, drop_chords, height_above, place_on
 
-CLAIM = 0.01
-"""mm by which a place is below a plane before the part is asked: what is less is no more than a facet's own
-step."""
+CLAIM = 0.05
+"""mm by which a place is below a plane before the part decides: where less is claimed, the chords meet near
+by, and no break is worth it."""
 FREE, ENDS_FREE = 1e-4, 1e-3
 """mm that the ball may enter the part where it counts as free; and where a path is cut back to."""
 STEP, MOST = 0.125, 512
@@ -38,7 +38,7 @@ HALVINGS = 24
 
 
 class Part:
-    """The facets that keep the ball of ``radius`` mm off; what finds them is made when it is first asked
+    """The facets that keep the ball of ``radius`` mm off; what finds them is made when it is first inner
     for."""
 
     def __init__(self, mesh: Mesh, radius: float) -> None:
@@ -181,10 +181,10 @@ def _free_where_claimed(
     free[claimed] = part.leaves_free(place[:, claimed], FREE)
     some = np.zeros(len(chord), bool)
     some[owner[free]] = True
-    asked = np.flatnonzero(some)
-    found = _free_stretch(chords, part, chord[asked], low[asked], high[asked], 0.0, FREE)
+    inner = np.flatnonzero(some)
+    found = _free_stretch(chords, part, chord[inner], low[inner], high[inner], 0.0, FREE)
     whole = _Stretches(low.copy(), high.copy(), some)
-    whole.low[asked], whole.high[asked], whole.any[asked] = found
+    whole.low[inner], whole.high[inner], whole.any[inner] = found
     return whole
 
 

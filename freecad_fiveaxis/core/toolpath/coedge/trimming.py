@@ -298,6 +298,7 @@ def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Int
         heir = heir[heir]
     beyond = (chords.after < 0) | chords.ghost[chords.after]
     nothing = ~chords.alive | (chords.ghost & beyond)
+    heir[gone] = np.where(nothing[heir[gone]], _beside_breaks(chords, segments, gone), heir[gone])
     lost, gone = gone[nothing[heir[gone]]], gone[~nothing[heir[gone]]]
     heir = heir[gone]
     head = (chords.before[heir] < 0) & (heir > gone)  # all before it is gone
@@ -318,6 +319,18 @@ def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Int
     missed, height = np.concatenate([gone, lost]), np.concatenate([height, np.full(len(lost), np.inf)])
     segment = segments.live[chords.at]
     return segment[np.concatenate([gone, stuck])], depth, segment[missed], height
+
+
+def _beside_breaks(chords: Chords, segments: Segments, gone: Ints) -> Ints:
+    """Return for chords of a path of which nothing is left the one of the same polyline that is left before
+    it, or else after it, or else the chord itself."""
+    left, line = np.flatnonzero(chords.alive & ~chords.ghost), segments.line[chords.at]
+    if not len(left):
+        return gone
+    place = np.searchsorted(left, gone)
+    before, after = left[np.maximum(place - 1, 0)], left[np.minimum(place, len(left) - 1)]
+    heir = np.where(line[after] == line[gone], after, gone)
+    return np.where((place > 0) & (line[before] == line[gone]), before, heir)
 
 
 def _to_segment(chords: Chords, segments: Segments, chord: Ints, place: Floats) -> Floats:
