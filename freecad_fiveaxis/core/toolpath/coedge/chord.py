@@ -94,7 +94,8 @@ def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: floa
     return Chords(
         origin + radius * normal, along, normal, low, high, where, real, angle, final, ghost, before, after,
         crosses,
-        low.copy(), high.copy(), np.ones(len(row), bool), row, np.zeros(len(row), bool), tie, after.copy(), radius,
+        low.copy(), high.copy(), np.ones(len(row), bool), row, np.zeros(len(row), bool), tie,
+        after.copy(), radius,
     )  # fmt: skip
 
 

@@ -120,13 +120,14 @@ def close_gaps(
     """Offset the contact path by the ball's ``radius`` mm and close it at every co-edge (Lin & Ye, eqs. 3 to
     5, Fig. 7).
 
-    ``mesh`` is the part that the path was cut from; its normals travel with the path, so nothing is read from
-    it here. ``keep`` (f,): facets to cut. The others only limit how near the ball may come: what stands over
+    ``mesh`` is the part that the path was cut from; its normals travel with the path, and it is asked only
+    where a trim would use up what the ball may reach. ``keep`` (f,): facets to cut. The others only limit how near the ball may come: what stands over
     them is left out after the trimming, so that no ball enters a wall that is not cut itself.
 
     Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R
     - r is more than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets
-      trimmed where they cross.
+      trimmed where they cross, each no farther than the other's facet reaches: where the offsets do not meet,
+      the polyline is broken.
     Chords keep off the two facets of their co-edge by r, on a convex part off all of it. Segments of no
     length are left out; those under which the ball does not fit are dropped, with a finding where more than
     NOTABLE of material stays or is cut into. A closed polyline ends where it began. Raises SettingsError for

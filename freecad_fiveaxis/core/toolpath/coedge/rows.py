@@ -24,8 +24,8 @@ NO_ROWS = np.empty(0, np.int64)
 class Closed(NamedTuple):
     """``rows`` in their order; ``begins`` (n,) where a polyline begins, None where all rows are kept;
     ``trimmed`` the tight polylines, None where there are none. In rows ``beside`` (b,) the ball also touches
-    the segment ``wall`` (b,), which is not cut. Where ``begins`` is None, at rows ``breaks`` (c,) a polyline is
-    broken and begins anew."""
+    the segment ``wall`` (b,), which is not cut. Where ``begins`` is None, a polyline is broken and begins anew
+    at rows ``breaks`` (c,)."""
 
     rows: Rows
     begins: Bools | None
@@ -36,8 +36,8 @@ class Closed(NamedTuple):
 
 
 class _Numbered(NamedTuple):
-    """Rows with their ``number`` and ``line``, the polyline, (n,) each; the paths of a broken polyline but its
-    first have numbers of their own behind those of all polylines."""
+    """Rows with their ``number`` and ``line``, the polyline, (n,) each; where a polyline is broken, all paths
+    but the first have numbers of their own, behind those of all polylines."""
 
     number: Ints
     line: Ints
@@ -45,8 +45,8 @@ class _Numbered(NamedTuple):
 
 
 def close_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None, part: Part) -> Closed:
-    """Return the rows of whole polylines. ``part``: what keeps the ball off. ``cut``: which segments of the contact path are cut, None: all; of
-    the others no row stays, nor a row that has no neighbour left."""
+    """Return the rows of whole polylines. ``part``: what keeps the ball off. ``cut``: which segments of the
+    contact path are cut, None: all; of the others no row stays, nor a row that has no neighbour left."""
     junctions = find_junctions(segments, radius, tolerance, cut)
     tight = find_used_up(segments, junctions)
     if not len(tight):

@@ -5,6 +5,7 @@ crossing   where the line of one chord meets the plane of the other, both ways; 
            which the two planes cross, so the path between them keeps off both facets.
 used up    a chord whose trims from its two ends overlap. It is dropped and its neighbours are trimmed against
            each other: the ball never touches what lay under it, because it already touches both sides.
+           Where the ball is free on it the path is broken beside it instead (:mod:`.breaks`).
 
 Of neighbouring used-up chords the one that a smaller ball would use up first is dropped first, as the offset
 of a polygon shrinks; all that do not disturb each other are dropped in one round.
@@ -77,9 +78,8 @@ def trim_polylines(
     cut: Bools | None = None,
 ) -> Trimmed:
     """Return the offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is
-    used up. ``part``: what
-    keeps the ball off. ``cut``: which segments of the contact path are cut, None: all; where chords of one that is and
-    one that is not meet, each has a row."""
+    used up. ``part``: what keeps the ball off. ``cut``: which segments of the contact path are cut, None:
+    all; where chords of one that is and one that is not meet, each has a row."""
     quarter = int(arcs_needed(np.array([0.5 * np.pi]), radius, tolerance)[0])
     chords = make_chords(segments, junctions, at, radius, quarter)
     _drop_used_up(chords, part)
