@@ -121,8 +121,9 @@ def close_gaps(
     5, Fig. 7).
 
     ``mesh`` is the part that the path was cut from; its normals travel with the path, and it is asked only
-    where a trim would use up what the ball may reach. ``keep`` (f,): facets to cut. The others only limit how near the ball may come: what stands over
-    them is left out after the trimming, so that no ball enters a wall that is not cut itself.
+    where a trim would use up what the ball may reach. ``keep`` (f,): facets to cut. The others only limit how
+    near the ball may come: what stands over them is left out after the trimming, so that no ball enters a
+    wall that is not cut itself.
 
     Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R
     - r is more than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets

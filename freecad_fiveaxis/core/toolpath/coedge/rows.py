@@ -24,8 +24,8 @@ NO_ROWS = np.empty(0, np.int64)
 class Closed(NamedTuple):
     """``rows`` in their order; ``begins`` (n,) where a polyline begins, None where all rows are kept;
     ``trimmed`` the tight polylines, None where there are none. In rows ``beside`` (b,) the ball also touches
-    the segment ``wall`` (b,), which is not cut. Where ``begins`` is None, a polyline is broken and begins anew
-    at rows ``breaks`` (c,)."""
+    the segment ``wall`` (b,), which is not cut. Where ``begins`` is None, a polyline is broken, and
+    begins anew, at rows ``breaks`` (c,)."""
 
     rows: Rows
     begins: Bools | None
