@@ -63,9 +63,9 @@ core:
 	@bash scripts/prepare test
 	$(PYTHON) -m pytest $(TWO) -m "not rs274 and not slow and not thorough"
 
-oldest: # the core's tests, but for the slow ones and those of the project's texts, on the oldest numpy and scipy that pyproject.toml allows
+oldest: # the core's tests, but for those of the project's texts, and of the thorough ones what runs more lines, on the oldest numpy and scipy that pyproject.toml allows
 	@bash scripts/prepare oldest
-	[ ! -e .cache/oldest/.complete ] || .cache/oldest/bin/python -m pytest $(TWO) -m "not rs274 and not slow and not texts" -p no:cacheprovider
+	[ ! -e .cache/oldest/.complete ] || .cache/oldest/bin/python -m pytest $(TWO) -m "not rs274 and not slow and not texts and (not thorough or oldest)" -p no:cacheprovider
 
 slow: # what takes long to prove, and more kinds of what the core ring shows: dense samples, dynamic programmes, real meshes
 	@bash scripts/prepare test

@@ -1584,8 +1584,8 @@
         <translation>ein Ordner mit den Programmen, die das Programm aufruft, neben seinem eigenen; darf wiederholt werden</translation>
     </message>
     <message>
-        <source>an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against it, and a path is laid around it; may be repeated</source>
-        <translation>eine STL-Datei von Schraubstock, Spanneisen oder anderem Spannmittel, am Ort des Teils: das Werkzeug wird dagegen geprüft, und eine Bahn führt darum herum; mehrfach möglich</translation>
+        <source>an STL file of a vise, clamp or other fixture, in the part's own place, or with the place of its zero behind it: FILE.stl@X,Y,Z in mm from the work zero, or FILE.stl@X,Y,Z,RX,RY,RZ with degrees, turned about X, then Y, then Z of the work zero; the tool is checked against it, and a path is laid around it; may be repeated</source>
+        <translation>eine STL-Datei von Schraubstock, Spanneisen oder anderem Spannmittel, am Ort des Teils, oder mit dem Ort ihres Nullpunkts dahinter: DATEI.stl@X,Y,Z in mm vom Nullpunkt, oder DATEI.stl@X,Y,Z,RX,RY,RZ mit Grad, gedreht um X, dann Y, dann Z des Nullpunkts; das Werkzeug wird dagegen geprüft, und eine Bahn führt darum herum; mehrfach möglich</translation>
     </message>
     <message>
         <source>feed of all its moves, mm/min and deg/min</source>
@@ -3083,8 +3083,8 @@
         <translation>Der Befehl „Restmaterial“ zeigt, wo. Diese Stellen mit einem kleineren Fräser oder mit anderer Werkzeugachse fräsen.</translation>
     </message>
     <message>
-        <source>The controller guides the tip (RTCP); shown are evenly moving axes.</source>
-        <translation>Die Steuerung führt die Spitze (RTCP); gezeigt sind gleichmäßig bewegte Achsen.</translation>
+        <source>The controller guides the tip (RTCP); shown is the tip on its straight way while the rotary axes turn evenly.</source>
+        <translation>Die Steuerung führt die Spitze (RTCP); gezeigt ist die Spitze auf ihrem geraden Weg, während die Drehachsen gleichmäßig drehen.</translation>
     </message>
     <message>
         <source>The controller guides the tip; the program gives the rotary axes.</source>
@@ -4800,6 +4800,10 @@
         <translation>In {count} Sätzen steckt der ganze Fräser in: {name}.</translation>
     </message>
     <message>
+        <source>In {count} blocks whose tip the controller guides, the first in NC line {line}, the way of the axes is not bounded closely enough: the machine's bodies were looked at where these blocks end, not in between.</source>
+        <translation>In {count} Sätzen, deren Spitze die Steuerung führt, der erste in NC-Zeile {line}, ist der Weg der Achsen nicht eng genug eingegrenzt: die Körper der Maschine wurden an den Enden dieser Sätze angesehen, nicht dazwischen.</translation>
+    </message>
+    <message>
         <source>In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis would need another branch or winding; its axis deviation stays as it was. Lead the tool round the pole to avoid it.</source>
         <translation>In {count} geteilten NC-Sätzen drehen die Rundachsen gleichmäßig, weil der gerade Schwenk der Werkzeugachse einen anderen Zweig oder eine andere Windung bräuchte; die Abweichung der Achse bleibt, wie sie war. Das Werkzeug um den Pol herumführen, um das zu vermeiden.</translation>
     </message>
@@ -5148,10 +5152,6 @@
         <translation>Die Steuerung führt die Werkzeugspitze (RTCP). Nachgewiesen ist, dass jeder Satz innerhalb {off} an der Spitze des Werkzeugwegs und innerhalb {lean} an seiner Werkzeugachse endet, so wie die Maschinendatei die Maschine beschreibt; wie Spitze und Achsen von Ende zu Ende gehen, ist Sache der Steuerung und hier nicht nachgewiesen.</translation>
     </message>
     <message>
-        <source>The controller guides the tip, so where the axes stand between the ends of blocks is not known: the machine's bodies were not looked at.</source>
-        <translation>Die Steuerung führt die Spitze, daher ist nicht bekannt, wo die Achsen zwischen den Satzenden stehen: die Körper der Maschine wurden nicht angesehen.</translation>
-    </message>
-    <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
         <translation>Der Fräser dringt auf dem Weg zwischen den Bahnen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>
@@ -5316,6 +5316,10 @@
         <translation>Das Programm nennt {units}; es wird in mm gelesen und fährt dann höchstens {size} mm, mit F bis {feed}. {option} angeben, mm oder inch.</translation>
     </message>
     <message>
+        <source>The program says {units}; taken as mm: it then moves {size} mm at most. No F is per minute (G93 and G95 are not), so none tells which unit is meant. Give {option}, mm or inch.</source>
+        <translation>Das Programm nennt {units}; es wird in mm gelesen und fährt dann höchstens {size} mm. Kein F gilt je Minute (unter G93 und G95 nicht), darum verrät keines die Einheit. {option} angeben, mm oder inch.</translation>
+    </message>
+    <message>
         <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
         <translation>Das Programm benutzt {count} Nullpunktverschiebungen; ihr Abstand ist nicht bekannt, und die NC-Sätze dazwischen stimmen nicht.</translation>
     </message>
@@ -5378,6 +5382,10 @@
     <message>
         <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
         <translation>Die Werkzeugachse liegt auf {length} der Bahnen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>The tool axis is given by vectors. What was looked at of the machine's bodies holds where the controller takes the same rotary words at the blocks' ends and turns them evenly in between; it may choose others, and where it turns the vector itself they go otherwise.</source>
+        <translation>Die Werkzeugachse ist durch Vektoren gegeben. Was von den Körpern der Maschine angesehen wurde, gilt, wo die Steuerung an den Satzenden dieselben Drehachswörter nimmt und sie dazwischen gleichmäßig dreht; sie kann andere wählen, und wo sie den Vektor selbst dreht, gehen sie anders.</translation>
     </message>
     <message>
         <source>The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
@@ -7416,8 +7424,8 @@
         <translation>Polarkoordinaten, deren Bewegungen hier fehlen; X, Y und Z ausgeben</translation>
     </message>
     <message>
-        <source>program O{program} is not in this file</source>
-        <translation>Programm O{program} ist nicht in dieser Datei</translation>
+        <source>program O{program} is not in this file; put it there, behind what calls it</source>
+        <translation>Programm O{program} ist nicht in dieser Datei; es dort hinter das setzen, was es aufruft</translation>
     </message>
     <message>
         <source>program number is {program}; give 1 to 9999</source>
@@ -7632,8 +7640,8 @@
         <translation>Strecken, von denen das Werkzeug nicht wegkäme, sind ausgelassen</translation>
     </message>
     <message>
-        <source>subprogram O{name} is not in this file</source>
-        <translation>Unterprogramm O{name} ist nicht in dieser Datei</translation>
+        <source>subprogram O{name} is not in this file, and no {file} that holds it was found beside it; give the folder of that file with {option}</source>
+        <translation>Unterprogramm O{name} ist nicht in dieser Datei, und daneben liegt keine {file}, die es enthält; deren Ordner mit {option} angeben</translation>
     </message>
     <message>
         <source>table</source>
@@ -8546,6 +8554,10 @@
     <message>
         <source>where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended</source>
         <translation>wo er beginnt, ist nicht bekannt: X, Y und Z sind nicht alle genannt, seit die geschwenkte Ebene begann oder endete</translation>
+    </message>
+    <message>
+        <source>where the controller guides the tip it turns the rotary axes evenly: so were tool, spindle and the machine's bodies looked at between the blocks' ends</source>
+        <translation>wo die Steuerung die Spitze führt, dreht sie die Drehachsen gleichmäßig: so wurden Werkzeug, Spindel und die Körper der Maschine zwischen den Satzenden angesehen</translation>
     </message>
     <message>
         <source>where the table is, is not known</source>
@@ -9646,6 +9658,14 @@
     <message>
         <source>{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them</source>
         <translation>{option} {source} ist weder border noch X,Y,Z noch eine Datei CURVE.csv; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>{option} {text}: the place is out of range; give X,Y,Z of at most 100000 mm and angles of at most 360 degrees</source>
+        <translation>{option} {text}: der Ort liegt außerhalb; X,Y,Z bis 100000 mm und Winkel bis 360 Grad angeben</translation>
+    </message>
+    <message>
+        <source>{option} {text}: {place} is no place; write X,Y,Z in mm behind the @, or X,Y,Z,RX,RY,RZ in mm and degrees, as vise.stl@10,0,-20 or vise.stl@10,0,-20,0,0,90</source>
+        <translation>{option} {text}: {place} ist kein Ort; hinter das @ X,Y,Z in mm schreiben oder X,Y,Z,RX,RY,RZ in mm und Grad, wie vise.stl@10,0,-20 oder vise.stl@10,0,-20,0,0,90</translation>
     </message>
     <message>
         <source>{option} {value}</source>

@@ -265,6 +265,7 @@ def test_where_the_controller_guides_the_tip_it_goes_straight():
 # ---------------------------------------------------------------------------------------------- the pipeline
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_the_reports_of_an_audit_name_it_all(tmp_path):
     source = tmp_path / "p.ngc"

@@ -8,7 +8,7 @@ from gouge_examples import step
 from mesh_shapes import box
 from plain import build_settings
 from test_axis_field import NODES, take_nodes
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.cli import main
@@ -99,7 +99,7 @@ def codes(result):
 
 
 @pytest.mark.parametrize("axis", ["auto", "facet_mean"])
-@some_in_core("name", list(PARTS), kept=(2,), others=OTHERS_ONCE)
+@some_in_core("name", list(PARTS), kept=(2,))
 def test_on_its_real_way_the_ball_keeps_the_allowance_and_without_one_it_comes_nearer(made, name, axis):
     result = made(name, 1.0, tool_axis=axis)
     near = nearest_way(result, name)
@@ -139,7 +139,7 @@ def heights(result, mesh, some):
 
 
 @pytest.mark.thorough
-@some_in_core("name", list(PARTS), others=OTHERS_ONCE)
+@some_in_core("name", list(PARTS))
 def test_everywhere_else_it_cuts_as_before(made, name):
     mesh, find = PARTS[name]
     with_room, without = (

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from gouge_examples import dense_points
 from test_reach_map import BALL, block, profile, slot
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -102,6 +102,42 @@ def turned(angle):
 
 def angle(one, two):
     return np.degrees(np.arctan2(np.linalg.norm(np.cross(one, two), axis=-1), (one * two).sum(-1)))
+
+
+def narrow_bore(radius=3.4, depth=60.0, sides=36):
+    """The wall of a bore about Z, open at both ends, little wider than the tool."""
+    turn = 2.0 * math.pi * np.arange(sides) / sides
+    ring = radius * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    low, high = (np.column_stack([ring, np.full(sides, z)]) for z in (-depth, 0.0))
+    at = np.arange(sides)
+    after = (at + 1) % sides
+    one, two = (
+        np.stack([at, at + sides, after], axis=1),
+        np.stack([after, at + sides, after + sides], axis=1),
+    )
+    return from_faces(np.concatenate([low, high]), np.concatenate([one, two]))
+
+
+def freed_of_bore():
+    """Nodes of a narrow bore's wall, which of them a long tool has an axis at, and these axes."""
+    mesh = narrow_bore()
+    reacher, tree = Reacher(Cutter(6.0, 80.0)), facet_tree(mesh)
+    nodes = module.surface_nodes(mesh, np.ones(len(mesh.face), np.bool_), reacher, tree, NODES)
+    direction = np.concatenate([module.even_directions(), module.main_directions(mesh)])
+    freedom = module.find_freedom(nodes, reacher, tree, direction)
+    return nodes, freedom.some, module.find_field(nodes, freedom, reacher, tree)
+
+
+def test_in_a_bore_little_wider_than_the_tool_it_stands_along_the_wall():
+    nodes, some, axis = freed_of_bore()
+    assert (nodes.normal[:, :2] * nodes.point[:, :2] < 1e-9).all(), "the wall looks at the bore's axis"
+    deep = np.abs(nodes.point[:, 2] + 30.0) < 10.0
+    assert some.all() and deep.any() and (np.abs(axis[deep, 2]) > math.cos(math.radians(3.5))).all()
+
+
+def test_without_axes_along_walls_that_bore_would_be_out_of_reach(monkeypatch):
+    monkeypatch.setattr(module, "ALONG", module.WIDEST)
+    assert not freed_of_bore()[1].all()
 
 
 def deep_slot():
@@ -293,7 +329,7 @@ def milled(shape, most=None, nodes=module.NODES, **lean):
     return path, given, auto_axes(path, given, field, mesh, reacher, AxisOptions(**lean)), mesh, reacher
 
 
-@some_in_core("nodes", [NODES, module.NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [NODES, module.NODES])
 @some_in_core("lean", [{}, {"lead": 0.1, "tilt": -0.1}], ids=["upright", "leaned"], kept=(1,))
 def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
     path, _, (axis, _, _), _, _ = milled(corner, nodes=nodes, **lean)
@@ -306,7 +342,7 @@ def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [NODES, module.NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [NODES, module.NODES])
 def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals(nodes):
     path, given, (axis, free, _), _, reacher = milled(hollows, nodes=nodes)
     points, row = points_on(hollows, 1.0), slice(None, None, 2)

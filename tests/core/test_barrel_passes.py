@@ -128,6 +128,7 @@ def test_a_tilt_that_is_asked_for_stays_what_it_is(part):
     assert np.median(walls(result)[4]) == pytest.approx(math.radians(30.0), abs=0.01)
 
 
+@pytest.mark.thorough
 def test_with_a_fixed_axis_it_cuts_upright_walls_with_its_widest_place(part):
     options = axis_options(settings_of(part, tool_axis="fixed"))
     assert (options.lead, options.tilt) == (0.0, 0.0)

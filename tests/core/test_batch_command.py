@@ -303,7 +303,9 @@ def test_the_processors_are_those_that_this_process_may_use():
     assert counted == ["3", "64"]
 
 
-@pytest.mark.parametrize("crew", [pytest.param("threads", marks=pytest.mark.thorough), "processes"])
+@pytest.mark.parametrize(
+    "crew", [pytest.param("threads", marks=(pytest.mark.thorough, pytest.mark.oldest)), "processes"]
+)
 def test_the_command_with_workers_makes_what_it_makes_without(crew, parts, tmp_path):
     for out, words in (("serial", ["--executor", "serial"]), (crew, ["--executor", crew, "--workers", "2"])):
         assert run("batch", parts, "--out", tmp_path / out, "--quiet", *words, *WORDS) == cli.DONE

@@ -58,6 +58,7 @@ def asked_of(folder):
     return [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
 
 
+@pytest.mark.thorough
 def test_a_step_file_and_a_named_solid_are_milled_as_their_mesh_and_meshed_once(folder, tmp_path):
     table = folder / "jobs.json"
     table.write_text(

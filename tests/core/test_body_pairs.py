@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from mesh_shapes import box
 from test_machine_bodies import LENGTH, MACHINES, ORIGIN, TOOL, machine_file, moved, program_of
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
@@ -384,7 +384,7 @@ def compare(name, scenes):
 
 
 @pytest.mark.thorough
-@some_in_core("name", MACHINES, others=OTHERS_ONCE)
+@some_in_core("name", MACHINES)
 def test_dense_samples_find_no_meeting_that_is_not_told_and_what_is_told_is_there(name):
     hit, missed = compare(name, 40)
     assert hit > 3 and missed > 3

@@ -414,6 +414,7 @@ def test_an_axis_other_than_z_and_faces_beside_it(tmp_path):
     assert length(offset) == pytest.approx(10 * 40)
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 @pytest.mark.parametrize("by", ["contact", "centre"])
 def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
@@ -535,6 +536,7 @@ def test_where_facets_reach_in_but_no_pass_does_it_is_refused(tmp_path):
 # ------------------------------------------------------------------------------------------------ other tasks
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_reach_setup_and_compare_keep_to_it_too(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(reach_map, "PLACES", 500)

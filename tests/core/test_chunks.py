@@ -9,7 +9,7 @@ import warnings
 import numpy as np
 import pytest
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base import chunks as chunks_module
 from freecad_fiveaxis.core.base import number_text
@@ -151,9 +151,7 @@ def test_meanwhile_gives_what_work_gives_and_raises_what_the_helper_raises():
 
 
 @pytest.mark.thorough
-@some_in_core(
-    "part, machine", [("blade", "trunnion_ac"), ("saddle", "nutating_table_b45")], others=OTHERS_ONCE
-)
+@some_in_core("part, machine", [("blade", "trunnion_ac"), ("saddle", "nutating_table_b45")])
 def test_the_pipeline_gives_the_same_bits_with_one_thread_and_two(monkeypatch, parts, part, machine):
     monkeypatch.setattr(chunks_module, "PORTION", 97)
     monkeypatch.setattr(junction, "GROUP", 50)

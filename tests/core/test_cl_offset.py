@@ -10,7 +10,7 @@ import pytest
 from cutter_body import depth, facet_points, inside
 from gouge_examples import knob_in_corner
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl, write_stl
@@ -52,7 +52,7 @@ def on_part(made):
 
 
 @pytest.mark.parametrize("cutter", CUTTERS)
-@some_in_core("lead, tilt", [(0, 0), (5, 0), (0, 5)], others=OTHERS_ONCE)
+@some_in_core("lead, tilt", [(0, 0), (5, 0), (0, 5)])
 def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, tilt, milled, points):
     """By no more than the dome's facets themselves leave the sphere (0.0085 mm), and every row touches."""
     made = milled("dome", "trunnion_ac", cutter=cutter, lead=lead, tilt=tilt, stepover=9).draft

@@ -14,7 +14,7 @@ import sys
 import numpy as np
 import pytest
 from plain import PLAIN, PLAIN_WORDS, build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import terminal
@@ -170,7 +170,7 @@ def mills(roof, machine, *words):
     assert code in (cli.DONE, cli.DONE_WITH_ERRORS)
 
 
-@some_in_core("machine", list_shipped_machines(), others=OTHERS_ONCE)
+@some_in_core("machine", list_shipped_machines())
 def test_every_shipped_machine_mills_the_roof(machine, roof):
     mills(roof, machine)
 

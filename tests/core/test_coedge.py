@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from offset_examples import ball, clearance, distance, field, hull, joined, own_clearance, prism
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
@@ -137,7 +137,7 @@ CONVEX = {
 
 
 @pytest.mark.parametrize("tolerance", [10.0, 0.01])
-@some_in_core("part", CONVEX, others=OTHERS_ONCE)
+@some_in_core("part", CONVEX)
 def test_chords_on_convex_parts_keep_off_the_whole_mesh(part, tolerance):
     mesh = CONVEX[part]()
     for angle in (0.0, ANGLE, np.pi / 2):

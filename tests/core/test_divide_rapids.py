@@ -11,7 +11,7 @@ from gouge_examples import knob_in_corner, step
 from mesh_shapes import box
 from plain import build_settings
 from rapid_simulation import points_of, simulated
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.controllers import find_dialect
@@ -83,7 +83,7 @@ def codes(made):
 
 
 @pytest.mark.thorough
-@some_in_core(("machine", "part", "options"), CASES, others=OTHERS_ONCE)
+@some_in_core(("machine", "part", "options"), CASES)
 def test_no_rapid_of_our_own_is_clear_only_if_interpolated(machine, part, options):
     assert "independent-rapid" in codes(undivided(machine, part, **options)), "the stage has something to do"
     made = milled(machine, part, **options)

@@ -110,6 +110,7 @@ def test_a_study_tells_the_same(name, engine, parts, told):
     assert texts_of(trial) == told(name)[1] and shares[-1][1] == 1.0
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", STUDIES)
 def test_a_page_of_a_study_is_the_same(name, processes, parts, told):

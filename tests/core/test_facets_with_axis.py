@@ -13,7 +13,7 @@ from test_axis_field import NODES as FEW
 from test_axis_field import stemmed, take_nodes
 from test_fewer_axes import table_a
 from test_reach_map import block, slot
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
@@ -47,7 +47,7 @@ def sphere_milled(nodes):
         return milled(stemmed(), max_axis_angle=90)
 
 
-@pytest.fixture(params=[FEW, pytest.param(NODES, marks=OTHERS_ONCE)])
+@pytest.fixture(params=[FEW, pytest.param(NODES, marks=pytest.mark.thorough)])
 def some_nodes(request, monkeypatch):
     """So many places are looked at."""
     take_nodes(monkeypatch, request.param)
@@ -77,7 +77,7 @@ def finished(made, points):
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [FEW, NODES])
 def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below(nodes):
     """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at
     most."""
@@ -92,7 +92,7 @@ def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_
     assert not finished(by_normals, middle[under & (made.mesh.normal[:, 2] < -0.4)]).all()
 
 
-@some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [FEW, NODES])
 def test_nothing_enters_and_nothing_is_told_that_is_not_so(nodes):
     result = job.prove(sphere_milled(nodes))
     codes = {one.code for one in result.findings}
@@ -133,7 +133,6 @@ def test_a_table_is_named():
         (12.0, {"cutter": Cutter(6.0, 5.0), "shank": ((16.0, 90.0),)}, "the shank"),
         (14.0, {"cutter": Cutter(6.0, 12.0), "holder": ((60.0, 30.0),), "most": 0.5}, "the holder"),
     ],
-    others=OTHERS_ONCE,
 )
 def test_each_reason_is_named_with_its_area(width, tool, words):
     mesh = slot(width, 40.0, 120.0)

@@ -10,7 +10,7 @@ from one_field import keep_fields
 from plain import PLAIN
 from test_axis_field import NODES as FEW
 from test_axis_field import take_nodes
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
@@ -87,7 +87,7 @@ def test_only_moves_at_pieces_with_a_way_out_are_asked():
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [FEW, axis_field.NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [FEW, axis_field.NODES])
 def test_a_short_tool_does_not_turn_its_holder_through_the_part(nodes, monkeypatch):
     """And where its turns are not asked, it does."""
 

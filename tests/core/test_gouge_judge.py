@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, round_groove, step
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import read_stl
 from freecad_fiveaxis.core.gouge import check_program
@@ -74,7 +74,7 @@ def agree(made):
 @pytest.mark.parametrize(
     "cutter", [CUTTERS[0], *(pytest.param(name, marks=pytest.mark.slow) for name in CUTTERS[1:])]
 )
-@some_in_core("part", PARTS, kept=(0, 1, 3), others=OTHERS_ONCE)
+@some_in_core("part", PARTS, kept=(0, 1, 3))
 def test_the_worst_overcut_of_concave_parts_is_the_judges_too(part, cutter):
     shape, options = PARTS[part]
     agree(milled(shape(), cutter=cutter, stepover=8, **options))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from gouge_examples import bowl, dense_points, prism, round_groove, sampled_depth, shelf, step
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.base.quantity import parse_stack
@@ -314,7 +314,7 @@ def test_where_nothing_enters_the_path_stays_the_same_object():
     assert lifted.path is made.path and not lifted.lift.any()
 
 
-@some_in_core("part", ["dome", "half_cylinder"], kept=(1,), others=OTHERS_ONCE)
+@some_in_core("part", ["dome", "half_cylinder"], kept=(1,))
 def test_convex_parts_are_posted_byte_for_byte_as_without_the_check(parts, part):
     options = {
         "machine": "trunnion_ac",
@@ -365,7 +365,7 @@ def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, 
 
 
 @pytest.mark.thorough
-@some_in_core("options", RINGS[:2], ids=["lead 8", "lead 0"], others=OTHERS_ONCE)
+@some_in_core("options", RINGS[:2], ids=["lead 8", "lead 0"])
 def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(
     parts, options
 ):
@@ -426,7 +426,7 @@ def test_where_the_machine_leaves_a_cured_path_the_overcut_says_so():
 
 
 @pytest.mark.thorough
-@some_in_core("diameter", [20, 60], others=OTHERS_ONCE)
+@some_in_core("diameter", [20, 60])
 def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
     mesh = read_stl(str(parts / "freeform_233.stl"))
     made = milled(mesh, tool_axis="facet_mean", cutter=f"ball:{diameter}", stepover=4, gouge="report")

@@ -10,7 +10,7 @@ import pytest
 from gouge_examples import bowl, dense_points, sampled_depth, step
 from plain import build_settings
 from scipy.optimize import brentq
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
@@ -204,7 +204,7 @@ def convex(path, gouge):
 
 
 @pytest.mark.parametrize("gouge", CURES[1:])
-@some_in_core("part", ["dome", "blade", "half_cylinder"], others=OTHERS_ONCE)
+@some_in_core("part", ["dome", "blade", "half_cylinder"])
 def test_on_convex_parts_no_cure_changes_a_bit(parts, part, gouge):
     one, two = (
         convex(str(parts / f"{part}.stl"), cure) for cure in ("report", gouge)

@@ -5,7 +5,7 @@ makes."""
 import numpy as np
 import pytest
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
@@ -127,7 +127,7 @@ def ball_in_jaw(chart, top, side):
 
 
 @pytest.mark.thorough
-@some_in_core("side", ["-X", "+X", "-Y", "+Y"], others=OTHERS_ONCE)
+@some_in_core("side", ["-X", "+X", "-Y", "+Y"])
 def test_samples_enter_no_jaw_and_one_that_is_half_a_millimetre_higher(tmp_path, side):
     chart = charted(tmp_path)
     top = tops(chart)[side]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, knob_in_corner, prism, step
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -144,9 +144,7 @@ def deepest(made):
 
 
 @pytest.mark.thorough
-@some_in_core(
-    "part, links", [*itertools.product(WALLED, ["near", "over"])], kept=(1, 2, 4, 5), others=OTHERS_ONCE
-)
+@some_in_core("part, links", [*itertools.product(WALLED, ["near", "over"])], kept=(1, 2, 4, 5))
 def test_the_judge_finds_nothing_beside_walls(part, links):
     made = milled(WALLED[part](), lead_in=R, links=links, stepover=2.0)
     assert deepest(made) <= made.settings.proof.tolerance

@@ -19,7 +19,7 @@ from five_kinds import (
     random_blocks,
     sampled_deviation,
 )
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ProgramError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
@@ -225,7 +225,7 @@ def test_random_blocks_hold_and_never_take_more_pieces_than_halving(kind):
 
 
 @pytest.mark.thorough
-@some_in_core("kind", ["table_table", "nutating", "head_head"], others=OTHERS_ONCE)
+@some_in_core("kind", ["table_table", "nutating", "head_head"])
 def test_no_block_takes_more_pieces_than_the_longest_steps_one_after_the_other(kind):
     kinematics = kinematics_of(kind)
     start, end = rounded_blocks(kinematics, 40, 62)

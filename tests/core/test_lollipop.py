@@ -12,7 +12,7 @@ from thorough import some_in_core
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
-from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, obstacles
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, obstacles, stick_out_farther
 from freecad_fiveaxis.core.gouge.search import find_entries
 from freecad_fiveaxis.core.gouge.swept_motion import straight_motion
 from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter
@@ -232,3 +232,8 @@ def test_the_head_of_a_program_names_it_and_an_audit_reads_it():
     assert cutter_name(cutter) == "lollipop 10 mm, neck 6 mm"
     assert find_named_cutter(b"(T3 LOLLIPOP 10 MM, NECK 6 MM, L 120.000)\n") == cutter
     assert find_named_cutter(b"(T3 LOLLIPOP 10 MM, L 120.000)\n") is None
+
+
+def test_where_it_sticks_out_farther_its_neck_fills_the_gap_and_not_its_ball():
+    longer = stick_out_farther(Reacher(parse_cutter("lollipop:10:6")), 20.0)
+    assert longer.shank == ((6.0, 20.0),)

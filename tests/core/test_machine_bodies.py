@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from mesh_shapes import box
 from scipy.spatial.transform import Rotation
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import MachineError
@@ -78,9 +78,9 @@ def moved(axis, by):
     return found
 
 
-def dense(machine, words, body, count=160):
-    """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints: by its
-    points on a grid."""
+def dense(machine, words, body, count=160, way=None):
+    """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints, or on
+    that which ``way`` gives at each share: by its points on a grid."""
     setup = Setup(ORIGIN, LENGTH)
     kinematics = chain(machine, setup)
     shift = np.linalg.solve(
@@ -91,7 +91,7 @@ def dense(machine, words, body, count=160):
     grid = low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
     deepest = 0.0
     for share in np.linspace(0.0, 1.0, count):
-        word = words[0] + share * (words[1] - words[0])
+        word = words[0] + share * (words[1] - words[0]) if way is None else way(share)
         q = dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True))
         carried, tool = frames(machine, q)
         in_machine = grid @ carried[body.carrier][:3, :3].T + carried[body.carrier][:3, 3]
@@ -116,7 +116,7 @@ def carriers(machine):
 
 
 @pytest.mark.thorough
-@some_in_core("name", MACHINES, others=OTHERS_ONCE)
+@some_in_core("name", MACHINES)
 def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
     """Random boxes on each carrier and random blocks: with a straight way of the joints nothing is missed,
     and what is told is there."""
@@ -347,8 +347,19 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
     assert codes[0] == 1 and "machine-collision" in said[0] and "machine-collision" not in said[1]
     guided = ["--controller", "fanuc", "--rtcp", "angles", "--tool", "1", "--linearize", "off"]
     assert cli.main([*given, *guided, "--machine", str(machine), "-o", str(tmp_path / "guided.nc")]) == 0
-    unknown = json.loads((tmp_path / "r.json").read_text())["scope"]["unknown"]
-    assert "machine's own bodies" in unknown[0] and "other bodies" not in unknown[0]
+    rests = json.loads((tmp_path / "r.json").read_text())["scope"]
+    assert "other bodies of the machine" in rests["unknown"][0]
+    assert any("machine's bodies: far" in one for one in rests["proven"])
+    assert any("turns the rotary axes evenly" in one for one in rests["assumed"])
+    guided[3] = "vectors"  # which may be turned otherwise: nothing of it is called proven
+    assert cli.main([*given, *guided, "--machine", str(machine), "-o", str(tmp_path / "vectors.nc")]) == 0
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert not any("machine's bodies: far" in one for one in report["scope"]["proven"])
+    assert "machine-unproven" in [one["code"] for one in report["findings"]]
+    near = machine_file(tmp_path, [post])
+    guided[3] = "angles"
+    assert cli.main([*given, *guided, "--machine", str(near), "-o", str(tmp_path / "hit.nc")]) == 1
+    assert "machine-collision" in (tmp_path / "r.json").read_text()
     assert (tmp_path / "post.ngc").read_bytes() == (tmp_path / "far.ngc").read_bytes()
     vise = machine_file(tmp_path, [GOOD[4]])
     assert cli.main([*given, "--machine", str(vise), "-o", str(tmp_path / "none.ngc")]) == 2

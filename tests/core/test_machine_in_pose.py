@@ -156,7 +156,7 @@ def test_directions_of_mixed_up_lengths_would_be_noticed(monkeypatch):
         test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it("trunnion_ac")
 
 
-@pytest.mark.parametrize("length", [LENGTH, None])
+@pytest.mark.parametrize("length", [pytest.param(LENGTH, marks=pytest.mark.thorough), None])
 def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
     """All bodies of trunnion_with_bodies, and these against each other: a program that stands
     still in the pose."""

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 STUDIES = Path(__file__).parents[2] / "docs" / "studies"
 sys.path.insert(0, str(STUDIES))
@@ -83,7 +83,7 @@ def beyond(path, axis, samples=2001):
 # ----------------------------------------------------------------------------------------- what it must reach
 
 
-@some_in_core("depth", DEPTHS, kept=(), others=OTHERS_ONCE)
+@some_in_core("depth", DEPTHS, kept=())
 def test_on_the_part_of_233_facets_at_least_5_times_smaller(depth):
     assert cases.ratio(cases.part(parts.PART, "table_ab", depth)) > 5.0
 

@@ -164,7 +164,10 @@ def test_a_program_with_nothing_of_this_is_read_as_before() -> None:
 
 
 def verdict(text: bytes, file: Path) -> str:
-    """agree, refused, or where the two differ; '-' where the judge itself refuses."""
+    """agree, refused, or where the two differ; '-' where the judge itself refuses. What goes to a machine
+    position is not compared: the judge has one, the reader leaves out what follows."""
+    if re.search(rb"(?i)\bG(53|28|30)(?![0-9.])", text):
+        return "refused"
     try:
         program = read_nc(text, LINKS, DIALECTS["linuxcnc"])
     except FiveAxisError:
@@ -267,6 +270,7 @@ PIECES = [
 ]
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 @given(st.lists(st.sampled_from(PIECES), max_size=14), st.sampled_from(["linuxcnc", "haas", "fanuc"]))
 @settings(max_examples=300, deadline=None)

@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program import block_starts, find_unknown_ways
 from freecad_fiveaxis.core.nc.reader.nc_reader import read_nc
 from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.report import blocks_csv
 from freecad_fiveaxis.core.report.figures import summary
 
 TRUNNION = chain(load_machine("trunnion_ac"), Setup())
@@ -100,3 +101,16 @@ def test_such_a_block_has_no_deviation_and_adds_no_length(tmp_path):
         assert result.deviation.segment[3] == 0.0 and result.deviation.place[3] == pytest.approx((0, 60, 10))
         found = summary(job.figures(result))
         assert found["rapid_length"] == pytest.approx(18.0) and found["max_rapid_deviation"] < 1e-9
+
+
+def test_such_a_block_is_not_singular_however_far_it_turns_near_the_pole(tmp_path):
+    """C turns by 90 deg with the tool upright: singular where the program goes there itself."""
+    for away, block in ((AWAY, 3), ("", 3)):
+        (tmp_path / "a.h").write_text(BEGIN + away + BACK + REST)
+        result = job.run(build_settings("audit", str(tmp_path / "a.h"), {"machine": "trunnion_ac"}))
+        assert bool(result.singularity.singular[block]) is not bool(away)
+        assert bool(result.singularity.rotary_travel[block]) is not bool(away)
+        table = blocks_csv(result.draft.program, result.deviation, result.singularity).decode().splitlines()
+        column = next(row for row in table if "singular" in row).split(",").index("singular")
+        rows = [row.split(",")[column] for row in table if row[:1].isdigit()]
+        assert rows[block] == str(int(not away))

@@ -373,6 +373,17 @@ def test_units_that_nobody_said_are_a_warning_that_weighs_size_and_feed() -> Non
     assert "taken as mm" in taken.text and "rather those" not in taken.text and "--units" in str(taken.text)
 
 
+@pytest.mark.parametrize(
+    ("mode", "said"),
+    [("G93", "No F is per minute"), ("G95", "No F is per minute"), ("G94", "at F up to 900")],
+)
+def test_an_f_that_is_not_per_minute_says_nothing_of_the_units(mode: str, said: str) -> None:
+    program = read(UNSAID.replace(b"G94", mode.encode()).replace(b"F40", b"F900").replace(b"J0", b"J0 F900"))
+    (found,) = [found for found in program.findings if found.code == "units-not-said"]
+    assert said in found.text and "up to 0" not in found.text
+    assert "moves 90 mm" not in found.text and "moves 12 mm" in found.text
+
+
 @pytest.mark.parametrize(("units", "scale"), [("mm", 1.0), ("inch", 25.4)])
 def test_units_that_are_told_hold_where_the_program_says_none(units: str, scale: float) -> None:
     program = read_nc(UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, step
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.links import near_links
 from freecad_fiveaxis.core.pipeline import job
@@ -57,7 +57,7 @@ def deepest(made):
 
 
 @pytest.mark.thorough
-@some_in_core("part", list(PARTS), kept=(0, 3), others=OTHERS_ONCE)
+@some_in_core("part", list(PARTS), kept=(0, 3))
 def test_the_same_is_cut_with_less_air_and_the_judge_finds_nothing(part):
     near, over = milled(part), milled(part, links="over")
     result = job.prove(near)

@@ -59,6 +59,7 @@ def off_lines(point, preview):
     return least
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: "-".join(map(str, way.values())))
 def test_every_cut_contact_of_the_path_lies_on_a_line(way):

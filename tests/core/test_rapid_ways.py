@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from mesh_shapes import box
 from rapid_simulation import points_of, simulated
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 from freecad_fiveaxis.core.base.rapids import INDEPENDENT, INTERPOLATED, RAPIDS, UNKNOWN
@@ -106,7 +106,7 @@ def some_rapids(seed, count):
 
 
 @pytest.mark.thorough
-@some_in_core("machine", MACHINES, others=OTHERS_ONCE)
+@some_in_core("machine", MACHINES)
 def test_dense_simulation_over_random_rates_finds_nothing_that_the_bound_does_not(machine):
     body, there = body_of(Cutter(10.0), [(8.0, 20.0)], [(30.0, 20.0)]), space(machine)
     words = some_rapids(7, 24)

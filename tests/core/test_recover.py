@@ -302,6 +302,7 @@ def test_a_wrong_sign_and_a_wrong_kind_and_wrong_letters_are_named():
     )
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_a_lean_that_is_not_among_the_layouts_comes_from_the_machine_given():
     lean = (0.0, np.sin(np.radians(40)), np.cos(np.radians(40)))
@@ -319,6 +320,7 @@ def test_a_lean_that_is_not_among_the_layouts_comes_from_the_machine_given():
     assert "poor-fit" in codes(recover(path, made, None, SETUP))
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_what_the_rows_do_not_determine_is_said_and_kept_as_given():
     path, made, _ = posted("trunnion_ac")
@@ -462,6 +464,7 @@ HAAS = Machine(
 """A about -X, B about Z: B is not the letter of its axis."""
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_unusual_letters_with_rows_dropped_on_either_side():
     path, made, _ = posted(HAAS, 90, 6)

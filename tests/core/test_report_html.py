@@ -151,6 +151,7 @@ def test_a_proven_program_is_told_so(without_matplotlib):
     assert 'class="verdict open"' in as_html(by_hand(0.0301))
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_pages_of_odd_programs_are_made_too():
     pytest.importorskip("matplotlib")

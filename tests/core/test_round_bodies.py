@@ -254,6 +254,8 @@ def test_what_is_missing_is_counted_from_the_limit_where_the_path_is_beyond_it(m
     assert above > 5.0 and told.value > above + 20.0
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_what_blocks_an_axis_is_the_body_though_fixtures_stand_about_the_part(monkeypatch):
     """The part is the part: not the hull about it and all that holds it."""
     roof = MachineBody("roof", "C", "box", ((-0.5, -30.0, 11.5), (45.0, 30.0, 14.0)))

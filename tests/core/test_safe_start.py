@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from bare_machines import BARE
 from scipy.spatial.transform import Rotation
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
@@ -59,7 +59,7 @@ def height_over_part(machine, setup, z, q1, q2):
     return up[:, 2] - part[:, :, 2].max(axis=0)
 
 
-@some_in_core("name", BARE, kept=(0, 1), others=OTHERS_ONCE)
+@some_in_core("name", BARE, kept=(0, 1))
 def test_the_plane_is_above_the_part_wherever_the_rotary_axes_stand(name):
     machine, setup, random = load_machine(name), Setup((7.0, -3.0, 12.0), 80.0), np.random.default_rng(2)
     z = plane_above(chain(machine, setup), LOW, HIGH, 5.0, np.zeros((1, 5)))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from plain import build_settings
 from setup_examples import CENTRE, cap, milled, posting
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
@@ -72,7 +72,7 @@ def chart():
     return setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made), 0.01)
 
 
-@some_in_core("machine", ["trunnion_ac", "trunnion_bc"], others=OTHERS_ONCE)
+@some_in_core("machine", ["trunnion_ac", "trunnion_bc"])
 def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
     """Both rotary axes meet at (0, 0, z) of these machines; the ball's centre belongs there."""
     centre = np.array([0.0, 0.0, load_machine(machine).axes[0].point[2] - CENTRE])
@@ -112,7 +112,7 @@ def test_the_map_agrees_with_a_full_run_at_20_random_setups():
     )
 
 
-@some_in_core("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"], others=OTHERS_ONCE)
+@some_in_core("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"])
 def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
     made = milled(machine, tool_length=80.0, **COARSE)
     region = Region((-50.0, -30.0, 0.0), (40.0, 60.0, 90.0), (2, 1, 1), (1.0,))
@@ -221,6 +221,7 @@ def test_a_region_that_leaves_every_limit_recommends_nothing_and_tells_by_how_mu
 UNKNOWN = "The height of the table is not known: check that the part stands on it"
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
     made = milled(**COARSE)

@@ -9,7 +9,7 @@ from gouge_examples import prism
 from mesh_shapes import box, sphere
 from plain import build_settings
 from test_verdict import filleted
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
@@ -71,7 +71,7 @@ def test_the_sides_along_the_passes_are_told_with_their_area(part, direction, wh
         )
 
 
-@some_in_core("part", [block, fine_block, filleted], others=OTHERS_ONCE)
+@some_in_core("part", [block, fine_block, filleted])
 @pytest.mark.parametrize("direction", [0, 90])
 def test_who_follows_the_remedy_sees_the_side_cut(part, direction):
     """By another route: what the cutter leaves at the middle of the side, before and after."""
@@ -96,12 +96,12 @@ def rest_at(result, place):
     return rest.height[np.linalg.norm(rest.point - place, axis=1).argmin()]
 
 
-@some_in_core("part", [block, fine_block], others=OTHERS_ONCE)
+@some_in_core("part", [block, fine_block])
 def test_passes_that_cut_every_side_leave_nothing_to_tell(part):
     assert not sides(made(part(), direction=45)) and not sides(made(part(), direction=20))
 
 
-@some_in_core(("stepover", "caps"), [(0.5, 2), (3.9, 0)], others=OTHERS_ONCE)
+@some_in_core(("stepover", "caps"), [(0.5, 2), (3.9, 0)])
 def test_strips_between_passes_are_no_sides_but_caps_beyond_the_outermost_are(stepover, caps):
     ball = from_triangles(sphere(20.0, rows=80, columns=160))
     for direction in (0, 33):
@@ -136,6 +136,7 @@ def test_a_side_that_leans_can_be_cut_by_nearer_planes_too():
     assert ["Y 0" in one.text for one in sides(made(drafted(), stepover=0.04))] == [True]
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_where_a_side_makes_the_least_interval_bind_the_side_is_told_instead():
     result = made(filleted(), stepover=None, scallop=0.01)

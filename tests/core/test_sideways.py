@@ -68,6 +68,7 @@ def test_a_ball_end_mill_is_not_let_out_there():
     assert not found.any() and way.tolist() == UP.tolist()
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_a_program_gets_under_a_roof_from_the_side_and_stays_out_of_the_part(tmp_path):
     """The axis within 30 deg of upright: the lollipop leaves a smaller share unfinished than the ball, and

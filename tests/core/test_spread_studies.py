@@ -46,6 +46,7 @@ def test_a_task_is_small_but_for_what_is_common(roof):
     assert packing.count == 1 + 2 * (2 + 1) and packing.longest < 100_000
 
 
+@pytest.mark.oldest
 @some_in_core("name", STUDIES)
 def test_a_result_of_another_task_is_noticed(name, roof):
     with pytest.raises(SettingsError, match="gave back"):

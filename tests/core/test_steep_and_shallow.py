@@ -213,7 +213,12 @@ def cut_of(name):
 
 
 @pytest.mark.parametrize(
-    "strategy", ["scallop", *(pytest.param(one, marks=pytest.mark.thorough) for one in ("planes", "radial"))]
+    "strategy",
+    [
+        "scallop",
+        pytest.param("planes", marks=(pytest.mark.thorough, pytest.mark.oldest)),
+        pytest.param("radial", marks=pytest.mark.thorough),
+    ],
 )
 @pytest.mark.parametrize(
     "name", [pytest.param(one, marks=[pytest.mark.slow] * ("box" in one)) for one in PARTS]

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -170,7 +170,7 @@ def made_with(mesh, given, chart, names=("cutter", "shank", "tool_length")):
 
 
 @pytest.mark.thorough
-@some_in_core("name", EXAMPLES, others=OTHERS_ONCE)
+@some_in_core("name", EXAMPLES)
 def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millimetre_shorter_they_do(name):
     part, more = EXAMPLES[name]
     mesh = from_faces(*parts.PARTS[part]())

@@ -10,7 +10,7 @@ import pytest
 from mesh_shapes import box
 from plain import build_settings
 from scipy.spatial import cKDTree
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.machine import load_machine
@@ -128,7 +128,7 @@ def rest(made, centre, spacing=0.2):
     return tree.query(np.einsum("ks,fsx->fkx", share, corner).reshape(-1, 3))[0] - RADIUS
 
 
-@some_in_core("name", list(SOLIDS), others=OTHERS_ONCE)
+@some_in_core("name", list(SOLIDS))
 def test_flat_faces_between_sharp_edges_keep_no_more_than_two_scallops(name):
     """But for the middle of the level dodecagon, 0.1 mm across, where its passes end: that is their own
     way's."""

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, step
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import write_stl
 
@@ -52,7 +52,7 @@ def test_an_option_that_is_too_small_is_refused_in_one_line(given, tmp_path):
     assert "give a larger" in done.stderr or "at least" in done.stderr, done.stderr
 
 
-@some_in_core("size", [1e-40, 1e-20, 1e-8], others=OTHERS_ONCE)
+@some_in_core("size", [1e-40, 1e-20, 1e-8])
 def test_a_part_that_is_smaller_than_any_is_refused_with_its_size(size, tmp_path):
     """Its facets' areas are no numbers any more; a pass of them would be divided without end."""
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"

@@ -9,7 +9,7 @@ import gouge_judge
 import numpy as np
 import pytest
 from plain import build_settings
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 from underside_parts import PARTS
 
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -106,9 +106,9 @@ def starts(made):
     return {one.code for one in made.findings} & {"start-through-part"}
 
 
-@some_in_core("links", ["over", "near"], kept=(1,), others=OTHERS_ONCE)
-@some_in_core("machine", list(MACHINE), others=OTHERS_ONCE)
-@some_in_core("part", list(PARTS), others=OTHERS_ONCE)
+@some_in_core("links", ["over", "near"], kept=(1,))
+@some_in_core("machine", list(MACHINE))
+@some_in_core("part", list(PARTS))
 def test_the_whole_tool_gets_there_and_away(part, machine, links):
     made = milled(part, machine, links=links)
     assert (made.path.axis[:, 2].min() < -0.25) == (part != "block")
@@ -129,7 +129,7 @@ def machine_file(folder, name, **limits):
 
 
 @some_in_core("passes", ["scallop", "planes"])
-@some_in_core("name, letter", [("trunnion_ac", "A"), ("fork_head_bc", "B")], others=OTHERS_ONCE)
+@some_in_core("name, letter", [("trunnion_ac", "A"), ("fork_head_bc", "B")])
 def test_a_machine_that_turns_right_round_cuts_the_underside(tmp_path, name, letter, passes):
     machine = machine_file(tmp_path, name, **{letter: (-180.0, 180.0)})
     made = milled(
@@ -149,7 +149,7 @@ def rewinding(folder, links):
 
 
 @pytest.mark.thorough
-@some_in_core("links", ["over", "near"], kept=(1,), others=OTHERS_ONCE)
+@some_in_core("links", ["over", "near"], kept=(1,))
 def test_rewinds_keep_the_whole_tool_off_too(tmp_path, links):
     made = rewinding(tmp_path, links)
     assert not gouges(made)
@@ -178,7 +178,6 @@ def ball_only(low, high, radius, clearance, body, axis):
         ("tee", "fork_head_bc"),
         ("mushroom", "fork_head_bc"),
     ],
-    others=OTHERS_ONCE,
 )
 def test_both_judges_see_a_holder_that_only_the_ball_looks_after(part, name, monkeypatch):
     monkeypatch.setattr(path, "tool_keepout", ball_only)

@@ -12,17 +12,20 @@ from test_axis_field import NODES as FEW
 from test_axis_field import take_nodes, trunnion
 from test_facets_with_axis import milled
 from test_reach_map import profile
-from thorough import OTHERS_ONCE, some_in_core
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge.obstacles import Reacher, within_limits
 from freecad_fiveaxis.core.gouge.overhang import is_under
 from freecad_fiveaxis.core.gouge.search import which_enter
 from freecad_fiveaxis.core.gouge.swept_motion import ways_up
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.orientation import auto_axis
 from freecad_fiveaxis.core.orientation.auto_axis import Contacts, Free, select_rows_with_way_out
 from freecad_fiveaxis.core.orientation.axis_field import NODES
 from freecad_fiveaxis.core.passes import axes_within_limits, turns_within_limits, with_room
+from freecad_fiveaxis.core.passes import within_limits as limits_module
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
 from freecad_fiveaxis.core.tool.body import body_of, depth_of, extend_way_out
 
@@ -89,7 +92,7 @@ def t_slot():
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
+@some_in_core("nodes", [FEW, NODES])
 def test_what_lies_under_a_lip_is_left_out_and_not_lifted_over_the_part(nodes, monkeypatch):
     """The ball stands freely at the sides of the slot's floor, under its lips, but nothing can be drawn out
     within 25 deg."""
@@ -156,3 +159,35 @@ def test_the_largest_axis_angle_counts_as_a_limit():
     axis = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.8, 0.0, -0.6]])
     assert within_limits(Reacher(Cutter(6.0)), axis).all()
     assert within_limits(Reacher(Cutter(6.0), most=math.pi / 2), axis).tolist() == [True, True, False]
+
+
+def turns_by_dense_samples(name, count=20_000):
+    """What is told of random turns up to 100 deg between axes that lean 70 deg and more, within the limits,
+    and what 300 places of each say."""
+    machine = load_machine(name)
+    kinematics, rng = chain(machine, Setup(machine.origin)), np.random.default_rng(3)
+    one, other = (
+        vector / np.linalg.norm(vector, axis=1)[:, None] for vector in rng.normal(size=(2, count, 3))
+    )
+    kept = (one * other).sum(axis=1) > math.cos(math.radians(100.0))
+    kept &= np.maximum(one[:, 2], other[:, 2]) < math.cos(math.radians(70.0))
+    kept &= axes_within_limits(kinematics, one) & axes_within_limits(kinematics, other)
+    one, other = one[kept], other[kept]
+    angle = np.arccos((one * other).sum(axis=1))[:, None]
+    dense = np.ones(len(one), np.bool_)
+    for share in np.linspace(0.0, 1.0, 300):
+        between = (np.sin((1.0 - share) * angle) * one + np.sin(share * angle) * other) / np.sin(angle)
+        dense &= axes_within_limits(kinematics, between)
+    return turns_within_limits(kinematics, one, other), dense
+
+
+@pytest.mark.parametrize("name", ["trunnion_ac", "trunnion_bc"])
+def test_a_turn_that_leaves_the_limits_anywhere_is_told(name):
+    told, dense = turns_by_dense_samples(name)
+    assert not (told & ~dense).any() and (told[dense]).mean() > 0.999 and not told.all()
+
+
+def test_a_few_places_of_a_turn_would_miss_where_it_leaves_the_limits(monkeypatch):
+    monkeypatch.setattr(limits_module, "_find_extremes", lambda *_: ())
+    told, dense = turns_by_dense_samples("trunnion_ac")
+    assert (told & ~dense).any()

@@ -50,6 +50,7 @@ def test_a_posted_path_gives_the_machine_back(files, tmp_path, capsys):
     assert found.name == "m" and "cap.apt and cap.ngc" in found.description
 
 
+@pytest.mark.oldest
 @pytest.mark.thorough
 def test_the_report_s_inputs_are_a_job(files, tmp_path, capsys):
     run("recover", *files, *PLACE, "-o", tmp_path / "m.fcm", "--report", tmp_path / "r.json", "--quiet")

@@ -298,6 +298,29 @@ def test_next_singular_goes_through_all_of_them(doc, opened, click, until):
     until(lambda: shown.player.block == figures.worst[0], 20000, "the worst block")
 
 
+def test_next_singular_passes_over_what_comes_from_a_position_of_the_machine(
+    doc, opened, click, until, tmp_path
+):
+    """C turns by 90 deg with the tool upright: in two feeds, and from wherever the machine was, between."""
+    from freecad_fiveaxis import app
+
+    (tmp_path / "a.ngc").write_text(
+        "G90 G94 G21\nG0 X0 Y0 Z10 A0 C0\nG1 Z1 F500\nG1 X5 C90\nG0 Z10\nG53 G0 Z0\n"
+        "G0 X9 Y0 C0\nG0 Z10\nG1 Z1\nG1 X5 C90\nM2\n"
+    )
+    shown = opened(app.audit(doc, str(tmp_path / "a.ngc"), "trunnion_ac"))
+    assert shown.player.figures.program.unknown_way.tolist() == [row == 4 for row in range(7)]
+    for row in (2, 6, 2):
+        click(shown.controls.singular)
+        until(lambda: shown.player.block == row, 20000, f"block {row}")  # noqa: B023
+    until(lambda: "Near the pole" in shown.readout.note.text(), 20000, "what stands there")
+    for row in (2, 3, 4):  # to the end of that block, and on
+        click(shown.controls.forward)
+        until(lambda: (shown.player.block, shown.player.u) == (row, 1.0), 20000, f"block {row}")  # noqa: B023
+    until(lambda: "a position of the machine" in shown.readout.note.text(), 20000, "whence it comes")
+    assert "Near the pole" not in shown.readout.note.text()
+
+
 class Clock:
     """A clock for the player in place of ``time``: 50 ms pass between two looks at it."""
 

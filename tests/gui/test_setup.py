@@ -34,7 +34,14 @@ def path(dome, doc, pump):
     """A coarse path over the dome, off the rotary centre; its blocks are not divided, so that the place
     decides the deviation."""
     made = app.create_toolpath(
-        doc, dome, passes="planes", machine="trunnion_ac", stepover=6, linear_deflection=0.1, linearize="off"
+        doc,
+        dome,
+        passes="planes",
+        machine="trunnion_ac",
+        stepover=6,
+        linear_deflection=0.1,
+        linearize="off",
+        gouge="off",
     )
     doc.clearUndos()
     pump(500)

@@ -4,6 +4,7 @@ one (3, ...)."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -20,6 +21,9 @@ rounding. Two unit vectors of such a sum are opposite."""
 
 COINCIDENT_MM = 1e-9
 """mm; two places nearer than this are one place: coordinates of a part are rounded to about 1e-13 mm."""
+
+RIGHT_RAD = 1e-12
+"""rad; an angle that near to whole quarter turns differs from these by its rounding alone."""
 
 
 def row_dot(one: Floats, two: Floats) -> Floats:
@@ -81,3 +85,28 @@ def away_from(point: Floats, through: Floats, about: Floats) -> tuple[Floats, Fl
     offset = offset - (offset @ about)[:, None] * about
     far = _norm(offset)
     return np.asarray(offset / np.where(far > COINCIDENT_MM, far, np.inf)[:, None]), far
+
+
+def turn_about_fixed_axes(about_x: float, about_y: float, about_z: float, right: float = RIGHT_RAD) -> Floats:
+    """Return the matrix (3, 3) of right-handed turns about X, then Y, then Z, rad, all three axes of the
+    frame that stays (roll, pitch and yaw of URDF). Angles within ``right`` rad of quarter turns are these,
+    exactly."""
+    x, y, z = (_turn_about(k, angle, right) for k, angle in enumerate((about_x, about_y, about_z)))
+    return np.asarray(z @ y @ x)
+
+
+def _turn_about(axis: int, angle: float, right: float) -> Floats:
+    """Return the right-handed turn (3, 3) about X, Y or Z."""
+    cosine, sine = _cosine_sine(angle, right)
+    found, (one, two) = np.eye(3), ((axis + 1) % 3, (axis + 2) % 3)
+    found[one, one] = found[two, two] = cosine
+    found[one, two], found[two, one] = -sine, sine
+    return found
+
+
+def _cosine_sine(angle: float, right: float) -> tuple[float, float]:
+    """Cosine and sine of an angle, of whole quarter turns to the last digit."""
+    quarters = round(angle / (0.5 * math.pi))
+    if abs(angle - quarters * 0.5 * math.pi) < right:
+        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[quarters % 4]
+    return math.cos(angle), math.sin(angle)

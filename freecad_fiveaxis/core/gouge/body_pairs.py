@@ -29,6 +29,7 @@ from freecad_fiveaxis.core.motion.program import Program, find_unknown_ways
 from .body_search import Meetings, Pair, find_meetings
 from .carried_motion import Step
 from .carried_pieces import TOOL, Carried, CarriedPair, pair_up
+from .machine_way import MachineWay, plain_way
 from .rapid_check import independent_rapids
 
 PARED, SLACK = 0.9, 0.1
@@ -47,17 +48,22 @@ SAME_SIDE = say(
 @dataclass(frozen=True, eq=False)
 class PairCheck:
     """``zero`` (5,) mm and degrees: the words at which every joint stands at zero, those of ``known`` (5,)
-    whether or not the tool's length is known; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm
-    between bodies that have none."""
+    whether or not the tool's length is known; ``way``: the program's; ``rapids`` as of
+    :func:`.check.check_program`; ``clearance`` mm between bodies that have none."""
 
     machine: Machine
     kinematics: Chain
-    program: Program
+    way: MachineWay
     zero: Floats
     known: Bools
     rapids: str
     tolerance: float
     clearance: float = 0.0
+
+    @property
+    def program(self) -> Program:
+        """What is checked."""
+        return self.way.program
 
 
 class Closest(NamedTuple):
@@ -84,7 +90,7 @@ def check_pairs(
         progress("gouge", k / len(pairs))
         columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
         if given.known[columns].all():
-            new = _look_at(given, pair, _joints(given, pair.motion.steps, columns))
+            new = _look_at(given, pair, _levels(given, pair, columns))
             (of_tool if pair.enters.kind == TOOL else found).extend(new)
     return (*found, *_worst_of_tool(of_tool))
 
@@ -101,7 +107,7 @@ def which_meet(
         columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
         if not given.known[columns].all():
             continue
-        levels = _Levels(given, pair, _joints(given, pair.motion.steps, columns))
+        levels = _levels(given, pair, columns)
         for rows, together in ((np.arange(len(blocks)), True), (rapids, False)):
             left = rows[~found[rows]]
             met = levels.meet(level, blocks[left], together)
@@ -141,14 +147,23 @@ def _touching(pairs: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
         yield report_finding(Code.MACHINE_TOUCHING, text, float(len(pairs)))
 
 
-def _joints(given: PairCheck, steps: Sequence[Step], columns: Sequence[int]) -> Floats:
-    """Return the joints (m, k) of the steps in every row of the program, mm and rad."""
-    off = (given.program.words - given.zero)[:, columns]
+def _levels(given: PairCheck, pair: CarriedPair, columns: Sequence[int]) -> _Levels:
+    """Return a pair at its levels; where none of its axes is linear, it goes as in a program that is not
+    guided."""
+    steps = pair.motion.steps
+    way = plain_way(given.program) if all(step.axis.rotary for step in steps) else given.way
+    own = _joints(given, steps, columns, given.program)
+    same = way.in_step is given.program
+    return _Levels(given, pair, way, own, own if same else _joints(given, steps, columns, way.in_step))
+
+
+def _joints(given: PairCheck, steps: Sequence[Step], columns: Sequence[int], program: Program) -> Floats:
+    """Return the joints (m, k) of the steps in every row of a program, mm and rad."""
+    off = (program.words - given.zero)[:, columns]
     return np.where([step.axis.rotary for step in steps], np.deg2rad(off), off)
 
 
-def _look_at(given: PairCheck, pair: CarriedPair, joints: Floats) -> Iterator[Finding]:
-    levels = _Levels(given, pair, joints)
+def _look_at(given: PairCheck, pair: CarriedPair, levels: _Levels) -> Iterator[Finding]:
     deep, unproven = levels.find(PARED * given.tolerance, levels.most)
     if deep is not None:
         yield _collision(given, pair, deep)
@@ -165,11 +180,13 @@ def _look_at(given: PairCheck, pair: CarriedPair, joints: Floats) -> Iterator[Fi
 @dataclass(frozen=True, eq=False)
 class _Levels:
     """A pair at a level, mm: above 0 what lies so deep in the standing piece is met, below 0 what comes so
-    near. ``joints`` (m, k) of the program's rows."""
+    near. ``joints`` (m, k) of the program's rows, ``in_step`` those of the rows of the ``way``."""
 
     given: PairCheck
     pair: CarriedPair
+    way: MachineWay
     joints: Floats
+    in_step: Floats
 
     @property
     def most(self) -> float:
@@ -185,26 +202,37 @@ class _Levels:
         return Pair(motion, standing, -min(level, self.most))
 
     def meet(self, level: float, blocks: Ints, joined: bool) -> Meetings:
-        """Find the meetings of these blocks (k,)."""
-        start, end = self.joints[blocks], self.joints[blocks + 1]
-        unknown = find_unknown_ways(self.given.program)[blocks]
+        """Find the meetings of these blocks (k,): pieces of the way where the joints go in step (``joined``),
+        else blocks of the program."""
+        program, joints = (self.way.in_step, self.in_step) if joined else (self.given.program, self.joints)
+        start, end = joints[blocks], joints[blocks + 1]
+        unknown = find_unknown_ways(program)[blocks]
         start = np.where(unknown[:, None], end, start) if unknown.any() else start
         return find_meetings(self.at(level), start, end, joined, SLACK * self.given.tolerance)
 
     def find(self, level: float, most: float) -> tuple[Closest | None, Ints]:
         """Find the block that is deepest, from ``level`` mm up to ``most``; and the blocks (k,) of which that
         is not proven."""
-        blocks = np.arange(len(self.joints) - 1)
-        found, unproven = self._deepest(level, most, blocks, True)
+        found, unproven = self._on_way(level, most)
         if self.given.rapids != INTERPOLATED and found is None:
             rapids = independent_rapids(self.given.program)
             found, more = self._deepest(level, most, rapids, False)
             unproven = np.union1d(unproven, more)
         return found, unproven
 
+    def _on_way(self, level: float, most: float) -> tuple[Closest | None, Ints]:
+        """Find the same in step, each level so much lower as the real way may be off, and told so."""
+        pieces, off = np.arange(len(self.in_step) - 1), self.way.off
+        found, unproven = self._deepest(level - off, most, pieces, True)
+        if found is not None:
+            block, u = self.way.locate(found.block, found.u)
+            found = found._replace(block=block, u=u, level=found.level - off)
+        return found, np.unique(self.way.block[unproven])
+
     def _deepest(self, level: float, most: float, blocks: Ints, joined: bool) -> tuple[Closest | None, Ints]:
         met = self.meet(level, blocks, joined)
-        unproven, count = blocks[met.unproven], int(met.met.sum())
+        unproven, owner = blocks[met.unproven], self.way.block if joined else np.arange(len(self.joints))
+        count = len(np.unique(owner[blocks[met.met]]))
         if not count:
             return None, unproven
         best = self._one(level, blocks, met, count, joined)

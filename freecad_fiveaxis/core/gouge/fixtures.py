@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -24,6 +23,7 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body
 
 from .check import GougeCheck, check_program
+from .fixture_places import parse_fixture, place_mesh
 from .worst import find_nearest, find_unproven, find_worst, near_finding
 
 ENTERS = Template(
@@ -41,8 +41,10 @@ class Fixture:
 
 
 def read_fixtures(paths: tuple[str, ...], progress: Progress = silent) -> tuple[Fixture, ...]:
-    """Read the STL files of the fixtures. Raises FiveAxisError for what is no mesh, naming the file."""
-    return tuple(Fixture(Path(path).name, read_stl(path, progress)) for path in paths)
+    """Read the STL files of the fixtures and put them where ``paths`` say that they stand. Raises
+    FiveAxisError for what says no place, before any is read, and for what is no mesh, naming the file."""
+    files = [parse_fixture(path) for path in paths]
+    return tuple(Fixture(one.name, place_mesh(read_stl(one.path, progress), one)) for one in files)
 
 
 def join_obstacles(mesh: Mesh, fixtures: Sequence[Fixture]) -> Mesh:

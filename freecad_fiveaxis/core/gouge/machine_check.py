@@ -5,6 +5,7 @@
 locked   words whose joints between the body's carrier and the work stand at zero: seen from the carrier the
          tool then goes as it does in a work frame that the carrier holds, which is that of all joints at
          zero. So each body stands still, whatever moves it, and one check serves them all.
+guided   blocks whose tip the controller guides are looked at in pieces (:mod:`.machine_way`).
 """
 
 from __future__ import annotations
@@ -25,14 +26,17 @@ from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.machine.bodies import BASE, MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import Body
+from freecad_fiveaxis.core.tool.body import Body, grow_body
 
 from .body_pairs import REMEDY, PairCheck, check_pairs
 from .carried_pieces import Carried, carry_bodies, carry_tool, carry_work
-from .check import GougeCheck, check_program
+from .check import ROUGHLY, GougeCheck, check_program
 from .fixtures import Fixture
+from .joint_box import JointSpace
 from .machine_bodies import make_mesh, spindle_body
-from .worst import Worst, find_nearest, find_unproven, find_worst, near_finding
+from .machine_way import MachineWay, lay_way, plain_way
+from .rapid_check import check_rapids
+from .worst import Worst, find_unproven, find_worst, near_finding
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,18 +67,36 @@ def check_machine(
     that cannot be used."""
     if not given.machine.bodies:
         return ()
-    if program.guided is not None:
-        text = say(
-            "The controller guides the tip, so where the axes stand between the ends of blocks is not "
-            "known: the machine's bodies were not looked at."
-        )
-        return (report_finding(Code.MACHINE_UNPROVEN, text, severity=Severity.NOTE),)
+    way = lay_way(given.kinematics, program, tolerance)
     return (
         *_report_unplaced(given),
-        *_against_bodies(given, program, tolerance, progress),
-        *_against_part(given, program, part, tolerance, progress),
-        *_of_bodies(given, program, part, tolerance, progress),
+        *_report_guided(way),
+        *_against_bodies(given, way, tolerance, progress),
+        *_against_part(given, way, part, tolerance, progress),
+        *_of_bodies(given, way, part, tolerance, progress),
     )
+
+
+def _report_guided(way: MachineWay) -> Iterator[Finding]:
+    """Yield what is not decided of blocks whose tip the controller guides."""
+    guided, rows = way.program.guided, np.flatnonzero(way.undecided) + 1
+    if guided is not None and guided.vector is not None:
+        text = say(
+            "The tool axis is given by vectors. What was looked at of the machine's bodies holds where the "
+            "controller takes the same rotary words at the blocks' ends and turns them evenly in between; it "
+            "may choose others, and where it turns the vector itself they go otherwise."
+        )
+        yield report_finding(Code.MACHINE_UNPROVEN, text, severity=Severity.NOTE)
+    if len(rows):
+        row, line = int(rows[0]), int(way.program.line[rows[0]])
+        text = say(
+            "In {count} blocks whose tip the controller guides, the first in NC line {line}, the way of the "
+            "axes is not bounded closely enough: the machine's bodies were looked at where these blocks end, "
+            "not in between.",
+            count=len(rows),
+            line=line,
+        )
+        yield report_finding(Code.MACHINE_UNPROVEN, text, block=row, line=line)
 
 
 def _report_unplaced(given: InMachine) -> Iterator[Finding]:
@@ -130,50 +152,70 @@ def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats,
 
 
 def _against_bodies(
-    given: InMachine, program: Program, tolerance: float, progress: Progress
+    given: InMachine, way: MachineWay, tolerance: float, progress: Progress
 ) -> Iterator[Finding]:
-    stack = stack_of(given)
+    stack, program = stack_of(given), way.program
     for body in given.machine.bodies:
         if not is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
             continue
-        letters = find_locked_letters(given.machine, body)
-        moved = replace(
-            program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters)
-        )
+        moved = _lock_way(given, way, find_locked_letters(given.machine, body))
         mesh = make_mesh(body, -np.array(given.setup.origin), progress)
-        check = check_program(
-            mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids
-        )
+        check = _check_on_way(mesh, stack, given, moved, tolerance, progress)
         new = [*_entering(body.name, body.name, check, given, program, tolerance)]
         new += _unproven(body.name, check, program, tolerance)
         wanted = 0.0 if new else body.clearance or given.clearance
-        near = find_nearest(
-            stack, wanted, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids
-        )
-        if near is not None:
-            at, place = _places(near, given, program)
-            new.append(near_finding(Code.MACHINE_NEAR, body.name, near._replace(place=place), wanted, at))
+        if wanted > tolerance:  # where it comes so near, the body grown by as much enters
+            check = _check_on_way(mesh, grow_body(stack, wanted), given, moved, tolerance, progress)
+            near = find_worst(check, program)
+            if near is not None:
+                at, place = _places(near, given, program)
+                new.append(near_finding(Code.MACHINE_NEAR, body.name, near._replace(place=place), wanted, at))
         yield from new
 
 
+def _lock_way(given: InMachine, way: MachineWay, letters: str) -> MachineWay:
+    """Give the way with the joints of these ``letters`` at zero."""
+    words, in_step = (
+        lock_words(given.machine, given.setup, given.kinematics, one.words, letters)
+        for one in (way.program, way.in_step)
+    )
+    return way.with_words(words, in_step)
+
+
+def _check_on_way(
+    mesh: Mesh, body: Body, given: InMachine, way: MachineWay, tolerance: float, progress: Progress
+) -> GougeCheck:
+    """Check a ``body`` that the spindle carries on the whole way; what is found is in blocks of the
+    program."""
+    kinematics, back, program = given.kinematics, given.back, way.program
+    if way.in_step is program:
+        return check_program(mesh, body, kinematics, program, tolerance, back, progress, "", given.rapids)
+    check = way.fold(
+        check_program(mesh, body, kinematics, way.in_step, tolerance - way.off, back, progress, "")
+    )
+    if given.rapids == INTERPOLATED:
+        return check
+    known, space = (check.cutter.depth > 0.0) | (check.above.depth > 0.0), JointSpace.of(kinematics, back)
+    return replace(check, ways=check_rapids(mesh, body, space, program, tolerance, ROUGHLY, known, progress))
+
+
 def _against_part(
-    given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
+    given: InMachine, way: MachineWay, part: Mesh | None, tolerance: float, progress: Progress
 ) -> Iterator[Finding]:
-    spindle = spindle_of(given)
+    spindle, program = spindle_of(given), way.program
     if part is not None and spindle.pieces:
-        check = check_program(
-            part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids
-        )
+        check = _check_on_way(part, spindle, given, way, tolerance, progress)
         yield from _entering(say("part"), "", check, given, program, tolerance)
         yield from _unproven(say("part"), check, program, tolerance)
 
 
 def _of_bodies(
-    given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
+    given: InMachine, way: MachineWay, part: Mesh | None, tolerance: float, progress: Progress
 ) -> tuple[Finding, ...]:
     """Return what bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its
     head."""
-    return check_pairs(pair_check(given, program, tolerance), carry_all(given, part, progress), progress)
+    check = pair_check(given, way.program, tolerance, way)
+    return check_pairs(check, carry_all(given, part, progress), progress)
 
 
 def carry_all(given: InMachine, part: Mesh | None, progress: Progress = silent) -> list[Carried]:
@@ -186,13 +228,17 @@ def carry_all(given: InMachine, part: Mesh | None, progress: Progress = silent) 
     return carried
 
 
-def pair_check(given: InMachine, program: Program, tolerance: float) -> PairCheck:
-    """Make what a check of pairs takes, of a program."""
+def pair_check(
+    given: InMachine, program: Program, tolerance: float, way: MachineWay | None = None
+) -> PairCheck:
+    """Make what a check of pairs takes, of a program; ``way``: None where its tip is not guided."""
     machine, kinematics = given.machine, given.kinematics
     rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
     known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
     zero = zero_words(machine, given.setup, kinematics)
-    return PairCheck(machine, kinematics, program, zero, known, given.rapids, tolerance, given.clearance)
+    return PairCheck(
+        machine, kinematics, way or plain_way(program), zero, known, given.rapids, tolerance, given.clearance
+    )
 
 
 def spindle_of(given: InMachine) -> Body:

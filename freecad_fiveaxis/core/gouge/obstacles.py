@@ -18,7 +18,17 @@ from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import axes_within_limits, least_up
 from freecad_fiveaxis.core.tool import Cutter
-from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body, body_of, body_support, extend_way_out
+from freecad_fiveaxis.core.tool.body import (
+    CUTTER,
+    HOLDER,
+    LARGEST,
+    SHANK,
+    Body,
+    body_of,
+    body_support,
+    extend_way_out,
+)
+from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
 
 from .machine_in_pose import MachineInPose
 from .search import which_enter
@@ -112,15 +122,14 @@ def obstacles(
 
 
 def stick_out_farther(reacher: Reacher, more: float) -> Reacher:
-    """Let the tool stick out ``more`` mm farther: a shank as wide as the one there is, or as the cutter,
-    fills the gap, and the tool is as much longer where its length is known."""
-    width = reacher.shank[-1][0] if reacher.shank else reacher.cutter.diameter
-    longer = replace(reacher, shank=(*reacher.shank, (width, more)))
-    return (
-        longer
-        if longer.machine is None
-        else replace(longer, machine=longer.machine.longer(more, longer.body))
-    )
+    """Let the tool stick out ``more`` mm farther, or as far as any may, and be as much longer where its
+    length is known."""
+    stack = Stack(reacher.cutter, reacher.shank, reacher.holder)
+    length = min(stack.stick_out + more, LARGEST)
+    longer = replace(reacher, shank=clamp_tool(stack, length).shank)
+    if longer.machine is None:
+        return longer
+    return replace(longer, machine=longer.machine.longer(length - stack.stick_out, longer.body))
 
 
 def _hits_machine(reacher: Reacher, tree: FacetTree, tip: Floats, axis: Floats) -> Bools:

@@ -38,7 +38,8 @@ LEAST_TRAVEL = math.radians(1.0)
 
 @dataclass(frozen=True, eq=False)
 class Singularity:
-    """One row a block of the Program, row 0 (the first position) all zero.
+    """One row a block of the Program, row 0 (the first position) all zero, as are blocks whose way is not
+    known.
 
     ``least_sine`` (m,) least measure along the block; ``rotary_travel``, ``axis_travel`` (m,) rad;
     ``singular`` (m,).
@@ -51,6 +52,13 @@ class Singularity:
 
     def __post_init__(self) -> None:
         freeze(self, None, least_sine="f", rotary_travel="f", axis_travel="f", singular="b")
+
+    def without(self, rows: Bools) -> Singularity:
+        """Return the same with zero in ``rows`` (m,): of blocks whose way is not known, as of row 0, nothing
+        is claimed."""
+        columns = (self.least_sine, self.rotary_travel, self.axis_travel)
+        least, rotary, axis = (np.where(rows, 0.0, column) for column in columns)
+        return Singularity(least, rotary, axis, self.singular & ~rows)
 
 
 def find_singular(kinematics: Chain, words: Floats, cone: float) -> Singularity:

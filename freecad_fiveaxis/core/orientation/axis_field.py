@@ -47,6 +47,10 @@ WIDEST = math.radians(88.0)
 """How far a direction may lean from the normal of the surface: in a deep pocket the tool stands nearly along
 its walls."""
 
+ALONG = math.radians(90.001)
+"""How far it may lean where the tool may stand along walls: in a bore little wider than the tool no other
+axis is free; with a hair more, for normals are rounded."""
+
 MAIN = 8
 """Normals, at most, along which the part may have pockets and bores: those of most area."""
 
@@ -268,17 +272,30 @@ def _find_obstacles(
 
 
 def find_freedom(
-    nodes: Nodes, reacher: Reacher, tree: FacetTree, direction: Floats, progress: Progress = silent
+    nodes: Nodes,
+    reacher: Reacher,
+    tree: FacetTree,
+    direction: Floats,
+    progress: Progress = silent,
+    along_walls: bool = True,
 ) -> Freedom:
     """Try ``direction`` (d, 3) and the own normals at all nodes where the ball fits.
 
-    Only where no axis lets the tool be drawn out along it, it is enough that the tool is free as it
-    stands."""
+    Only where no axis lets the tool be drawn out along it, it is enough that the tool is free as it stands.
+    ``along_walls``: they may lean by ALONG, else by WIDEST."""
     direction = direction[within_limits(reacher, direction)]
     rows, height = np.arange(len(nodes.point)), part_heights(tree, nodes.normal)
-    found = _try_directions(nodes, rows, with_way_out(reacher, tree), tree, direction, height, progress)
+    along = nodes.normal @ direction.T
+    tried = along > math.cos(WIDEST + reacher.cutter.undercut)
+    if along_walls:  # but not with a tool as level as may be under what looks straight down
+        most = math.cos(max(reacher.most - (ALONG - WIDEST), 0.0))
+        tried |= (along > math.cos(ALONG)) & (direction[:, 2] > most)
+    tried &= nodes.fits[:, None]
+    found = _try_directions(
+        nodes, rows, with_way_out(reacher, tree), tree, direction, tried, height, progress
+    )
     if len(held := rows[nodes.fits & ~found.some]):
-        here = _try_directions(nodes, held, reacher, tree, direction, height[held], progress)
+        here = _try_directions(nodes, held, reacher, tree, direction, tried[held], height[held], progress)
         found.free[held], found.upright[held], found.met[held] = here.free, here.upright, here.met
     return found
 
@@ -295,14 +312,13 @@ def _try_directions(
     reacher: Reacher,
     tree: FacetTree,
     direction: Floats,
+    tried: Bools,
     height: Floats,
     progress: Progress,
 ) -> Freedom:
-    """Return what is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,)
-    mm of the part there."""
+    """Return what is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits, of those
+    ``tried`` (k, d) there; ``height`` (k,) mm of the part there."""
     stand, normal, fits = nodes.stand[rows], nodes.normal[rows], nodes.fits[rows]
-    along = normal @ direction.T
-    tried = (along > math.cos(WIDEST + reacher.cutter.undercut)) & fits[:, None]
     node, way = np.nonzero(tried)
     free, farthest = (
         np.zeros(tried.shape, np.bool_),
@@ -311,7 +327,8 @@ def _try_directions(
     within = replace(reacher, kinematics=None, most=math.pi)
     met = _find_obstacles(within, tree, stand[node], normal[node], direction[way], progress, height[node])
     free[node, way] = met == Obstacle.NONE
-    above = along[node, way] > math.cos(
+    along = (normal[node] * direction[way]).sum(axis=1)
+    above = along > math.cos(
         WIDEST
     )  # what an undercut meets below the surface is no reason: few places have one
     np.maximum.at(farthest, node[above], met[above])

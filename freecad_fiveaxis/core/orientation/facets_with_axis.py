@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, stick_out_farther
 from freecad_fiveaxis.core.passes.within_limits import LEVEL
+from freecad_fiveaxis.core.tool.stick_out import LONGER_BY
 
 from .axis_field import (
     Freedom,
@@ -47,9 +48,9 @@ NEAREST = 6
 BATCH = 16384
 """Points that are asked for an axis at a time."""
 
-LONGER, TRIED, ENOUGH = (10.0, 20.0, 40.0, 80.0), 60, 0.9
-"""mm by which a tool is tried to stick out farther where the machine is in the way, at so many nodes, about;
-it helps where such a share is free then."""
+TRIED, ENOUGH = 60, 0.9
+"""A longer tool is tried at so many nodes, about, where the machine is in the way; it helps where such a
+share is free then."""
 
 ABOUT = 3
 """Nodes about the middle of a facet of which one must be free, where none lies on it."""
@@ -160,9 +161,9 @@ def _name_blocking(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
 
 def _try_longer(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
     """Say by how much a longer tool would help, tried at some of the nodes where the machine is in the way;
-    nothing where no tool does that is up to the last of LONGER longer."""
+    nothing where no tool does that is up to the last of LONGER_BY longer."""
     nodes, tree = _some_held(field), facet_tree(mesh)
-    for more in LONGER:
+    for more in LONGER_BY:
         longer = stick_out_farther(with_margin(reacher), more)
         share = (
             float(find_freedom(nodes, longer, tree, field.freedom.direction).some.mean())

@@ -79,16 +79,18 @@ def find_frames(
     """
     tree, wide = facet_tree(mesh), with_margin(reacher)
     nodes = surface_nodes(mesh, facets, reacher, tree)
-    freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress)
+    freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress, False)
     freedom = Freedom(freedom.direction, freedom.free, np.zeros_like(freedom.upright), freedom.met)
     keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most, reacher)
     chosen = _cover_of(nodes, freedom, count)
     places, direction = surface_nodes(mesh, keep, reacher, tree, PLACES), freedom.direction
-    rest = np.flatnonzero(~find_freedom(places, wide, tree, direction[chosen], progress).free.any(axis=1))
-    looked = find_freedom(_nodes_of(places, rest), wide, tree, direction, progress)
+    rest = np.flatnonzero(
+        ~find_freedom(places, wide, tree, direction[chosen], progress, False).free.any(axis=1)
+    )
+    looked = find_freedom(_nodes_of(places, rest), wide, tree, direction, progress, False)
     more = _cover_of(_nodes_of(places, rest), looked, count - len(chosen), FEW * len(places.point))
     axis = in_order(direction[np.concatenate([chosen, more])])
-    free = find_freedom(places, wide, tree, axis, progress).free
+    free = find_freedom(places, wide, tree, axis, progress, False).free
     frames = Frames(axis, places.point, places.normal, assign(free, places, axis), places.spacing)
     elsewhere = np.zeros(len(free), np.bool_)
     elsewhere[rest] = looked.free.any(axis=1)

@@ -156,15 +156,25 @@ def with_room(kinematics: Chain, room: float = ROOM) -> Chain:
 
 def turns_within_limits(kinematics: Chain, one: Floats, other: Floats) -> Bools:
     """Return True (n,) where the machine can take up what lies between unit tool axes ``one`` and ``other``
-    (n, 3), too, when the axis turns straight: between two at its limits it would go beyond them."""
-    within = np.ones(len(one), dtype=np.bool_)
-    for share in SHARES:
-        between = (1.0 - share) * one + share * other
-        length = np.linalg.norm(between, axis=1)
-        within &= (length > 0.0) & axes_within_limits(
-            kinematics, between / np.where(length > 0.0, length, 1.0)[:, None]
-        )
+    (n, 3), too, when the axis turns straight: between two at its limits it would go beyond them. It is asked
+    at some places and at the extremes of the turn."""
+    chord = other - one
+    angle = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(chord, axis=1), 0.0, 1.0))
+    ahead = chord - (chord * one).sum(axis=1)[:, None] * one
+    length = np.linalg.norm(ahead, axis=1)
+    ahead /= np.where(length > 0.0, length, 1.0)[:, None]
+    within: Bools = (length > 0.0) | (angle < 1.0)
+    for turn in (*(share * angle for share in SHARES), *_find_extremes(kinematics.direction[3], one, ahead)):
+        turned = np.clip(turn, 0.0, angle)[:, None]
+        within &= axes_within_limits(kinematics, np.cos(turned) * one + np.sin(turned) * ahead)
     return within
+
+
+def _find_extremes(first: Floats, one: Floats, ahead: Floats) -> tuple[Floats, ...]:
+    """Tell after which turns (n,) rad, from unit axes ``one`` towards unit ``ahead`` (n, 3), the axis leans
+    most and least against the ``first`` rotary axis: there the second one has most to do."""
+    most = np.arctan2(ahead @ first, one @ first)
+    return most, most + math.pi, most - math.pi
 
 
 def _second_alone(kinematics: Chain) -> tuple[float, float] | None:

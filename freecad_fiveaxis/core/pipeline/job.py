@@ -244,7 +244,7 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
     surface = surface_deviation(draft, compute_driven_to_surface(draft.settings), progress)
     if (unknown := draft.program.unknown_way) is not None:
         tip = forward(draft.kinematics, words_to_q(words))[0]
-        deviation = without_guided(deviation, unknown, tip)
+        deviation, singularity = without_guided(deviation, unknown, tip), singularity.without(unknown)
         surface = surface and without_guided(surface, unknown, tip)
     judged = judge(
         draft.kinematics,

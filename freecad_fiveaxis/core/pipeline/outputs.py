@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.base.errors import FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, same_file, write_all
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.gouge.fixture_places import parse_fixture
 from freecad_fiveaxis.core.machine import load_machine, machine_path
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, rates_csv
 from freecad_fiveaxis.core.toolpath.apt import write_apt
@@ -95,7 +96,8 @@ def _paths(settings: Settings, written: bool) -> Iterator[str]:
     """Yield the files that the options name, those to write or those to read."""
     for name, value in _values(settings):
         if (name in WRITTEN) == written and value:
-            yield from (value,) if isinstance(value, str) else value
+            files = (value,) if isinstance(value, str) else value
+            yield from (parse_fixture(one).path for one in files) if name == "fixture" else files
 
 
 def _values(settings: Settings) -> Iterator[tuple[str, Any]]:

@@ -19,14 +19,11 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, chain, joint_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.joint_path.plan import LINEAR_SLACK
 from freecad_fiveaxis.core.motion.program import build_program
-from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
+from freecad_fiveaxis.core.tool.stick_out import LONGER_BY, Stack, clamp_tool
 
 from .context import MillContext
 from .options import rapids_of, resolve_setup, tip_to_driven, tool_body
 from .records import SolvedJoints
-
-LONGER = (10.0, 20.0, 40.0, 80.0)
-"""mm by which a tool is tried to stick out farther where no height helps."""
 
 
 def keep_links_off_bodies(context: MillContext, solved: SolvedJoints) -> SolvedJoints:
@@ -118,10 +115,10 @@ def _no_way_finding(context: MillContext, given: InMachine, raised: Raised) -> t
 
 def _longer_tool(context: MillContext, given: InMachine, raised: Raised) -> str:
     """Say by how much the tool would have to stick out farther; nothing where its length is not known, or
-    where none does that is up to the last of LONGER longer."""
+    where none does that is up to the last of LONGER_BY longer."""
     if given.length is None:
         return ""
-    for more in LONGER:
+    for more in LONGER_BY:
         longer = _stick_out(context, given, more)
         q = joint_words(longer.kinematics, raised.joints.path.tip, raised.joints.q[:, 3:])
         if not _is_within_travel(longer.kinematics, q):

@@ -3,7 +3,8 @@
 machine.
 
 moment    a block and its u, or a time in seconds from the program's start. Within a block all words move
-          linearly, so the tip leaves the chord as it does on the machine. Block 0 is the first position;
+          linearly, so the tip leaves the chord as it does on the machine; where the controller guides the
+          tip, the rotary words do, and the others keep the tip on the chord. Block 0 is the first position;
           nothing is claimed of the way to it.
 clock     the time at which each block ends: the sum of ``Program.seconds``. A block that moves but of which
           the program says no time (a foreign file without F) is shown for UNTIMED seconds.
@@ -31,7 +32,13 @@ from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation import Deviation
-from freecad_fiveaxis.core.motion.program import Program, block_starts, feed_blocks, find_unknown_ways
+from freecad_fiveaxis.core.motion.program import (
+    Program,
+    block_starts,
+    feed_blocks,
+    find_unknown_ways,
+    standing,
+)
 from freecad_fiveaxis.core.motion.trajectory import axis_at, tip_at
 
 from .figures import worst_first
@@ -131,11 +138,11 @@ class Playback:
         rows, at_u = np.broadcast_arrays(np.asarray(block, int), np.asarray(u, float))
         self._check(rows)
         row, flat_u = rows.reshape(-1), at_u.reshape(-1)
-        start, end = self._ends(row)
-        words, point = start + flat_u[:, None] * (end - start), self._points(start, end, flat_u)
-        foot = segment_foot(
-            point, *(self._points(start, end, np.full_like(flat_u, edge)) for edge in (0.0, 1.0))
-        )
+        ends = self._ends(row)
+        foot_ends = (self._points(*ends, np.full_like(flat_u, edge)) for edge in (0.0, 1.0))
+        words, start, end = self._guide(row, *ends, flat_u)
+        point = self._points(start, end, flat_u)
+        foot = segment_foot(point, *foot_ends)
         columns = {
             "block": row, "u": flat_u, "seconds": self.time(row, flat_u), "words": words,
             "tip": tip_at(self.kinematics, start, end, flat_u),
@@ -153,7 +160,24 @@ class Playback:
         self._check(row)
         start, end = self._ends(row)
         count = min(int(np.abs(end - start)[0, 3:].sum() / FINEST_TURN) + 2, MOST_POINTS)
-        return np.asarray(self._points(start, end, np.linspace(0.0, 1.0, count)[None])[0])
+        u, one = np.linspace(0.0, 1.0, count), np.zeros(count, np.int64)
+        _, start, end = self._guide(row[one], start[one], end[one], u)
+        return self._points(start, end, u)
+
+    def _guide(self, row: Ints, start: Floats, end: Floats, u: Floats) -> tuple[Floats, Floats, Floats]:
+        """Return the words (n, 5) at ``u`` (n,) of blocks between words ``start`` and ``end`` (n, 5), and
+        these; in blocks whose tip the controller guides all three are those at u."""
+        words, guided = start + u[:, None] * (end - start), self.program.guided
+        on = np.flatnonzero(guided.on[row]) if guided is not None else row[:0]
+        if not len(on):
+            return words, start, end
+        first, last = (
+            tip_at(self.kinematics, start[on], end[on], np.full(len(on), edge)) for edge in (0.0, 1.0)
+        )
+        words[on] = standing(self.kinematics, first + u[on, None] * (last - first), words[on, 3:])
+        start, end = start.copy(), end.copy()
+        start[on] = end[on] = words[on]
+        return words, start, end
 
     def _points(self, start: Floats, end: Floats, u: Floats) -> Floats:
         """Return the point whose deviation is played: as ``tip_at``."""

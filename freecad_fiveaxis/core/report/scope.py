@@ -157,21 +157,23 @@ def _state_assumptions(figures: Figures, numbers: Mapping[str, Any]) -> Iterator
             "alone were verified",
             count=numbers["guided_blocks"],
         )
+    if figures.program.guided is not None and name_checked_bodies(figures):
+        yield say(
+            "where the controller guides the tip it turns the rotary axes evenly: so were tool, spindle and "
+            "the machine's bodies looked at between the blocks' ends"
+        )
     if is_checked(figures) and figures.rapids == INTERPOLATED:
         yield say("in a rapid all axes run in proportion to each other ({rapids})", rapids=Option("rapids"))
 
 
 def name_checked_bodies(figures: Figures) -> str:
-    """Name the machine's bodies that tool and spindle were checked against, with commas; none where the tip
-    is guided."""
-    looked_at = figures.machine.bodies if figures.program.guided is None else ()
-    return ", ".join(body.name for body in looked_at if body.carrier != SPINDLE)
+    """Name the machine's bodies that tool and spindle were checked against, with commas."""
+    return ", ".join(body.name for body in figures.machine.bodies if body.carrier != SPINDLE)
 
 
 def _name_moving_bodies(figures: Figures) -> str:
-    """Name all bodies of a machine, with commas, where some move against others; none where the tip is
-    guided."""
-    bodies = figures.machine.bodies if figures.program.guided is None else ()
+    """Name all bodies of a machine, with commas, where some move against others."""
+    bodies = figures.machine.bodies
     return ", ".join(body.name for body in bodies) if len({body.carrier for body in bodies}) > 1 else ""
 
 

@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, round_piece
+from freecad_fiveaxis.core.tool.stick_out import LONGER_BY
 
 TILTS = tuple(math.radians(tilt) for tilt in (0.0, 10.0, 20.0, 30.0, 45.0, 60.0, 80.0))
 """rad: how far from the facet's normal the tool is tried, the least first."""
@@ -66,7 +67,7 @@ UPRIGHT = 1e-6
 TRIED = 1000
 """Places, about, at which a tool that sticks out farther is tried."""
 
-LONGER = (5.0, 10.0, 20.0, 40.0, 80.0)
+LONGER = (5.0, *LONGER_BY)
 """mm: so much farther the tool is tried to stick out where only holder or machine are in the way."""
 
 
@@ -265,8 +266,7 @@ def tilt_about_normal(normal: Floats, angle: float, ways: int) -> Floats:
 def _estimate_reach(area: Floats, held: Ints, rows: Ints, step: Ints) -> Iterator[tuple[float, float]]:
     """How far the tool would have to stick out at most, mm, and the area, mm2, that it reaches then of the
     places ``held``, where only holder or machine are in the way: an estimate from ``rows``, of which ``step``
-    is the first of LONGER that helps. A shank as wide as the one there is, or as the cutter, fills the
-    gap."""
+    is the first of LONGER that helps."""
     each, reached = float(area[held].sum()) / max(float(area[rows].sum()), 1e-30), 0.0
     for k, more in enumerate(LONGER):
         free = rows[step == k]

@@ -21,6 +21,9 @@ from .cutter import LEAST, Cutter
 Cylinder = tuple[float, float]
 """Diameter and length, mm."""
 
+LONGER_BY = (10.0, 20.0, 40.0, 80.0)
+"""mm by which a tool may stick out farther, the least first: what is tried where it is too short."""
+
 SHORTEST_STEM = 0.1
 """mm that a cutter has at least over its rounded end, its largest diameter, or of its neck."""
 

@@ -106,8 +106,7 @@ class Readout:
                 label.setText("–")
 
     def _is_guided(self, block: int) -> bool:
-        """Whether the controller guides the tip in a block, of which nothing is known then but where it
-        ends."""
+        """Whether the controller guides the tip in a block: it has no deviation of ours then."""
         guided = self.figures.program.guided
         return guided is not None and bool(guided.on[block])
 
@@ -133,7 +132,11 @@ class Readout:
             )
         if self._is_guided(block):
             notes.append(
-                translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes.")
+                translate(
+                    "FiveAxis",
+                    "The controller guides the tip (RTCP); shown is the tip on its straight way while the "
+                    "rotary axes turn evenly.",
+                )
             )
         if over:
             tip = translate(

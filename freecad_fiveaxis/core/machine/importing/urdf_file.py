@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import plural, say
+from freecad_fiveaxis.core.base.vectors import turn_about_fixed_axes
 from freecad_fiveaxis.core.machine import Vector
 
 PRISMATIC, ROTARY, FIXED = ("prismatic",), ("revolute", "continuous"), ("fixed",)
@@ -179,25 +180,8 @@ def _place(holder: Element, path: Path, where: str) -> Floats:
     found = np.eye(4)
     if origin is None:
         return found
-    roll, pitch, yaw = map(_right, _vector(origin, "rpy", path, where, "0 0 0"))
-    found[:3, :3] = _turn(2, yaw) @ _turn(1, pitch) @ _turn(0, roll)
+    found[:3, :3] = turn_about_fixed_axes(*_vector(origin, "rpy", path, where, "0 0 0"), right=RIGHT)
     found[:3, 3] = _vector(origin, "xyz", path, where, "0 0 0")
-    return found
-
-
-def _right(angle: float) -> tuple[float, float]:
-    """Cosine and sine of an angle, of a quarter turn to the last digit."""
-    quarters = round(angle / (0.5 * math.pi))
-    if abs(angle - quarters * 0.5 * math.pi) < RIGHT:
-        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[quarters % 4]
-    return math.cos(angle), math.sin(angle)
-
-
-def _turn(about: int, angle: tuple[float, float]) -> Floats:
-    """Return the right-handed turn (3, 3) about X, Y or Z by an angle's cosine and sine."""
-    found, (one, two) = np.eye(3), ((about + 1) % 3, (about + 2) % 3)
-    found[one, one] = found[two, two] = angle[0]
-    found[one, two], found[two, one] = -angle[1], angle[1]
     return found
 
 

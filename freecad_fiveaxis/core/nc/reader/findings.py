@@ -36,6 +36,10 @@ UNITS_TAKEN = Template(
     "The program says {units}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give "
     "{option}, mm or inch."
 )
+UNITS_WITHOUT_F = Template(
+    "The program says {units}; taken as mm: it then moves {size} mm at most. No F is per minute (G93 and G95 "
+    "are not), so none tells which unit is meant. Give {option}, mm or inch."
+)
 UNITS_DOUBTED = Template(
     "The program says {units}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of "
     "inches. Give {option}, mm or inch."
@@ -256,7 +260,8 @@ def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
     feed = lines.column("F")[lines.mode(codes.FEED_MODE, 0) == codes.PER_MINUTE]
     fastest = float(np.nanmax(feed)) if not np.isnan(feed).all() else 0.0
     against = size < LARGE_INCHES and 0.0 < fastest < FAST_INCHES
-    text = (UNITS_DOUBTED if against else UNITS_TAKEN).say(
+    template = UNITS_DOUBTED if against else UNITS_TAKEN if fastest > 0.0 else UNITS_WITHOUT_F
+    text = template.say(
         units=grammar.units_text, size=Number(size), feed=Number(fastest), option=Option("units")
     )
     return report_finding(Code.UNITS_NOT_SAID, text, line=int(motions.at[0]))

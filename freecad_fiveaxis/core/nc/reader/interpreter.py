@@ -11,6 +11,7 @@ refusal   one thing that is not understood makes the whole program one that is n
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import NoReturn, Protocol
 
@@ -20,8 +21,9 @@ from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Ints
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Option, say
 
+from .called_files import file_of
 from .expressions import Unread, Value, Variables, number
 from .flow import Flow, flow_of
 from .siemens_run import to_o_words, with_calls
@@ -68,16 +70,18 @@ class Frame:
 
 
 def run_program(
-    text: bytes, fanuc: bool, progress: Progress = silent, siemens: bytes = b"", search: tuple[str, ...] = ()
-) -> Written | Refused:
+    text: bytes, fanuc: bool, progress: Progress = silent, siemens: bytes = b"",
+    search: tuple[str, ...] = (), origin: Sequence[int] = (),
+) -> Written | Refused:  # fmt: skip
     """Return the text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas
     mean it, else LinuxCNC. ``siemens``: with Siemens' variables and jumps; the same with its strings.
-    ``search``: folders with the programs called.
+    ``search``: folders with the programs called (Siemens). ``origin``: the line of the file, from 0, that
+    each line of the text comes from, where that is not its own.
 
     Raises ProgramError for what does not end."""
     rows = text.split(b"\n")
     try:
-        origin = list(range(len(rows)))
+        origin = origin or range(len(rows))
         if siemens:
             program = with_calls(rows, siemens.split(b"\n"), search)
             lines, plain, origin = *to_o_words(program), program.source
@@ -85,14 +89,22 @@ def run_program(
         else:
             lines = [row.replace(b" ", b"").decode("latin-1") for row in rows]
             plain = [not SPECIAL.search(line) for line in lines]
-        flow = flow_of(lines)
+        flow = _flow_of_file(lines, origin)
     except Unread as refused:
         return Refused(refused.at + 1, refused.reason)
-    run = Run(lines, plain, flow, fanuc, progress)
+    run = Run(lines, plain, flow, fanuc, progress, origin)
     if refusal := refusal_of(run):
         return replace(refusal, line=origin[refusal.line - 1] + 1)
     written = [rows[at] if row is None else row.encode("latin-1") for at, row in run.output]
     return Written(b"\n".join(written), np.array([0, *(origin[at] + 1 for at, _ in run.output)], np.int64))
+
+
+def _flow_of_file(lines: list[str], origin: Sequence[int]) -> Flow:
+    """Return the structure of the lines. Raises Unread with the line of the file."""
+    try:
+        return flow_of(lines)
+    except Unread as refused:
+        raise Unread(refused.reason, origin[refused.at]) from None
 
 
 class Running(Protocol):
@@ -147,12 +159,15 @@ def deeper(calls: int, at: int) -> None:
 
 
 class Run:
-    """One run: ``output`` (line, its text where that is another) so far, ``at`` the line that runs."""
+    """One run: ``output`` (line, its text where that is another) so far, ``at`` the line that runs, and
+    ``origin`` the line of the file of each."""
 
     def __init__(
-        self, lines: list[str], plain: list[bool], flow: Flow, fanuc: bool, progress: Progress
-    ) -> None:
+        self, lines: list[str], plain: list[bool], flow: Flow, fanuc: bool, progress: Progress,
+        origin: Sequence[int],
+    ) -> None:  # fmt: skip
         self.lines, self.plain, self.flow, self.fanuc, self.progress = lines, plain, flow, fanuc, progress
+        self.origin = origin
         self.known, self.frames = Variables(fanuc), [Frame()]
         self.output: list[tuple[int, str | None]] = []
         self.parsed: list[Statement | None] = [None] * len(lines)
@@ -166,7 +181,7 @@ class Run:
             if not count % BETWEEN:
                 self.progress("reading NC", 0.0)
                 if count > most:
-                    endless(self.at, most)
+                    endless(self.origin[self.at], most)
             if plain[self.at]:
                 output.append((self.at, None))
                 self.at += 1
@@ -241,7 +256,12 @@ class Run:
             if program not in self.flow.heads and program > 9999 and "L" not in values:
                 program, times = program % 10000, program // 10000
             if program not in self.flow.heads:
-                raise Unread(say("program O{program} is not in this file", program=str(program)))
+                raise Unread(
+                    say(
+                        "program O{program} is not in this file; put it there, behind what calls it",
+                        program=str(program),
+                    )
+                )
             head = self.flow.heads[program] + 1
         if not times:
             return self.at + 1
@@ -258,7 +278,7 @@ class Run:
         return self._push(frame)
 
     def _push(self, frame: Frame) -> int:
-        deeper(len(self.frames) - 1, self.at)
+        deeper(len(self.frames) - 1, self.origin[self.at])
         self.frames.append(frame)
         return frame.head
 
@@ -287,7 +307,13 @@ class Run:
 
     def _call(self, what: OWord) -> int:
         if what.name not in self.flow.subs:
-            raise Unread(say("subprogram O{name} is not in this file", name=what.name.lower()))
+            raise Unread(
+                say(
+                    "subprogram O{name} is not in this file, and no {file} that holds it was found beside "
+                    "it; give the folder of that file with {option}",
+                    name=what.name.lower(), file=file_of(what.name), option=Option("search"),
+                )
+            )  # fmt: skip
         given: dict[int, Value] = {k: value(self.known) for k, value in enumerate(what.arguments, 1)}
         return self._enter(Frame(self.at + 1, self.flow.subs[what.name] + 1, o_word=True), given)
 

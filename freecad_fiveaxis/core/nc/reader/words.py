@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import re
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
@@ -32,6 +33,8 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freez
 from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, corners, interpreter
+from .called_files import with_called_files
+from .expressions import Unread
 from .heidenhain import with_unit
 from .no_motion import pass_over
 from .of_machine import NO_MACHINE, OfMachine
@@ -159,7 +162,8 @@ def read_words(
     text, findings, plain = _blank_non_words(text, language, progress, of_machine)
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
-    expanded = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
+    folders = () if fanuc else of_machine.search
+    expanded = _run(text, marks, language, fanuc, findings, progress, folders) if marks else (text, source)
     words = _words_of(*expanded)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
@@ -206,11 +210,7 @@ def _blank_non_words(
             ),
             control[0],
         )
-    forms = [
-        form for begin, form in COMMENTS[language] if begin in text
-    ]  # a pattern of one form alone is searched faster
-    if forms:
-        text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
+    text = _blank_comments(text, language)
     whole = without_preface(text.translate(CLEAN), language, findings)
     text = between_marks(whole, findings)
     if language == "heidenhain":
@@ -259,12 +259,14 @@ def _calls(words: Words, fanuc: bool) -> bool:
 
 
 def _run(
-    text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress
-) -> tuple[bytes, Ints | None]:
+    text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress,
+    folders: Sequence[str] = (),
+) -> tuple[bytes, Ints | None]:  # fmt: skip
     """Return the text as the control comes to its lines, and the lines of the file that these are; where they
-    are not understood, blanks for the lines that hold one of the ``marks``, with a finding."""
+    are not understood, blanks for the lines that hold one of the ``marks``, with a finding. ``folders``:
+    where LinuxCNC's subprograms lie."""
     if language == "iso":
-        expanded = interpreter.run_program(text, fanuc, progress)
+        expanded = _run_with_files(text, fanuc, progress, folders)
         if isinstance(expanded, interpreter.Written):
             return expanded.text, expanded.source
         if not marks:
@@ -279,6 +281,29 @@ def _run(
     sentence = MACROS.say(count=len(hit), shown=repr(shown))
     findings.append(report_finding(codes.MACRO[0], sentence, float(len(hit)), line=hit[0] + 1, unit=""))
     return _blank_lines(text, hit), None
+
+
+def _run_with_files(
+    text: bytes, fanuc: bool, progress: Progress, folders: Sequence[str]
+) -> interpreter.Written | interpreter.Refused:
+    try:
+        whole, origin = with_called_files(text, folders, _clean_called)
+    except Unread as refused:
+        return interpreter.Refused(refused.at + 1, refused.reason)
+    return interpreter.run_program(whole, fanuc, progress, origin=origin)
+
+
+def _clean_called(text: bytes) -> bytes:
+    """Return the text of a called file in capitals, lines ending in LF, with blanks for its comments."""
+    text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    return _blank_comments(text, "iso").translate(CLEAN)
+
+
+def _blank_comments(text: bytes, language: str) -> bytes:
+    forms = [
+        form for begin, form in COMMENTS[language] if begin in text
+    ]  # a pattern of one form alone is searched faster
+    return re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text) if forms else text
 
 
 def _lines_with(text: bytes, marks: list[bytes]) -> list[int]:
