@@ -33,8 +33,8 @@ class Chords:
     last piece of an arc between two segments; ``ghost``. ``before`` and ``after`` (c,) its neighbours, -1 for
     none; ``crosses`` True where it is trimmed against the one after it; ``start`` and ``stop`` (c,) what the
     trims leave of it; ``alive``; ``heir`` the chord before it when it was dropped (itself till then);
-    ``stuck`` True where it should have been dropped and was not; ``tie`` decides between equals. ``radius``
-    mm of the ball.
+    ``stuck`` True where it should have been dropped and was not; ``tie`` decides between equals; ``next`` the
+    chord after it before any was dropped. ``radius`` mm of the ball.
     """
 
     origin: Floats
@@ -56,6 +56,7 @@ class Chords:
     heir: Ints
     stuck: Bools
     tie: Ints
+    next: Ints
     radius: float
 
 
@@ -93,7 +94,8 @@ def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: floa
     return Chords(
         origin + radius * normal, along, normal, low, high, where, real, angle, final, ghost, before, after,
         crosses,
-        low.copy(), high.copy(), np.ones(len(row), bool), row, np.zeros(len(row), bool), tie, radius,
+        low.copy(), high.copy(), np.ones(len(row), bool), row, np.zeros(len(row), bool), tie,
+        after.copy(), radius,
     )  # fmt: skip
 
 
@@ -142,3 +144,21 @@ def place_on(chords: Chords, chord: Ints, t: Floats) -> Floats:
 def height_above(chords: Chords, chord: Ints, place: Floats) -> Floats:
     """Height (c,) of ``place`` (3, c) above the planes of chords, mm."""
     return dot(chords.normal.take(chord, axis=1), place - chords.origin.take(chord, axis=1))
+
+
+def drop_chords(chords: Chords, gone: Ints) -> Ints:
+    """Take chords out; returns the chords that must now be trimmed against the one after them.
+
+    Beyond an open end nothing remains to trim against: the neighbour keeps the trim that the dropped chord
+    gave it.
+    """
+    before, after = chords.before[gone], chords.after[gone]
+    chords.alive[gone] = False
+    chords.heir[gone] = np.where(before >= 0, before, np.where(after >= 0, after, gone))
+    chords.after[before[before >= 0]] = after[before >= 0]
+    chords.before[after[after >= 0]] = before[after >= 0]
+    fresh = before[(before >= 0) & (after >= 0)]
+    alone = fresh[chords.after[fresh] == fresh]  # a ring of one chord is no path
+    chords.alive[alone] = False
+    chords.crosses[fresh] = True
+    return np.asarray(fresh)

@@ -44,6 +44,12 @@ class Columns:
         )
 
     @property
+    def breaks(self) -> Ints:
+        """The rows at which a polyline is broken and begins anew."""
+        breaks = [part.breaks + start for part, start in zip(self.parts, self.start, strict=False)]
+        return np.concatenate([NO_ROWS, *breaks])
+
+    @property
     def walls(self) -> dict[str, Any]:
         """The rows at which the ball also touches a facet that is not cut, and its normal."""
         beside = [part.beside + start for part, start in zip(self.parts, self.start, strict=False)]

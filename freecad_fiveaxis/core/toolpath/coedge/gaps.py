@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.base.sentences import Choice, Length, plural, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import ContactPath
 
+from .breaks import Part
 from .columns import Columns
 from .junction import Segments, find_segments, groups
 from .rows import Closed, close_rows, row_begins
@@ -119,13 +120,15 @@ def close_gaps(
     """Offset the contact path by the ball's ``radius`` mm and close it at every co-edge (Lin & Ye, eqs. 3 to
     5, Fig. 7).
 
-    ``mesh`` is the part that the path was cut from; its normals travel with the path, so nothing is read from
-    it here. ``keep`` (f,): facets to cut. The others only limit how near the ball may come: what stands over
-    them is left out after the trimming, so that no ball enters a wall that is not cut itself.
+    ``mesh`` is the part that the path was cut from; its normals travel with the path, and it is asked only
+    where a trim would use up what the ball may reach. ``keep`` (f,): facets to cut. The others only limit how
+    near the ball may come: what stands over them is left out after the trimming, so that no ball enters a
+    wall that is not cut itself.
 
     Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R
     - r is more than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets
-      trimmed where they cross.
+      trimmed where they cross, each no farther than the other's facet reaches: where the offsets do not meet,
+      the polyline is broken.
     Chords keep off the two facets of their co-edge by r, on a convex part off all of it. Segments of no
     length are left out; those under which the ball does not fit are dropped, with a finding where more than
     NOTABLE of material stays or is cut into. A closed polyline ends where it began. Raises SettingsError for
@@ -138,16 +141,19 @@ def close_gaps(
             )
     progress("closing co-edges", 0.0)
     cut = None if keep is None else keep[contact.face[::2]]  # which segments lie in facets that are kept
-    segments = find_segments(contact)
+    segments, part = find_segments(contact), Part(mesh, radius)
 
     def close(group: Segments) -> Closed:
-        return close_rows(group, radius, tolerance, cut)
+        return close_rows(group, radius, tolerance, cut, part)
 
     parts = in_threads(close, groups(segments), lambda done: progress("closing co-edges", 0.5 * done))
     columns = Columns(contact, segments, parts)
     in_threads(columns.write, range(len(parts)), lambda done: progress("closing co-edges", 0.5 + 0.5 * done))
     progress("closing co-edges", 1.0)
-    return OffsetPath(**columns.values, **columns.walls, findings=_findings(contact, parts, cut))
+    path = OffsetPath(**columns.values, **columns.walls, findings=_findings(contact, parts, cut))
+    broken = np.zeros(len(path.point), bool)
+    broken[columns.breaks] = True
+    return break_polylines(path, broken[1:])
 
 
 def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> tuple[Finding, ...]:

@@ -14,6 +14,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Ints, run_ids
 
+from .breaks import Part
 from .junction import CHUNK, Junctions, Rows, Segments, find_junctions, junction_rows, pick_plain_rows
 from .trimming import Trimmed, find_used_up, trim_polylines
 
@@ -23,26 +24,29 @@ NO_ROWS = np.empty(0, np.int64)
 class Closed(NamedTuple):
     """``rows`` in their order; ``begins`` (n,) where a polyline begins, None where all rows are kept;
     ``trimmed`` the tight polylines, None where there are none. In rows ``beside`` (b,) the ball also touches
-    the segment ``wall`` (b,), which is not cut."""
+    the segment ``wall`` (b,), which is not cut. Where ``begins`` is None, a polyline is broken, and
+    begins anew, at rows ``breaks`` (c,)."""
 
     rows: Rows
     begins: Bools | None
     trimmed: Trimmed | None
     beside: Ints = NO_ROWS
     wall: Ints = NO_ROWS
+    breaks: Ints = NO_ROWS
 
 
 class _Numbered(NamedTuple):
-    """Rows with their ``number`` and ``line``, the polyline, (n,) each."""
+    """Rows with their ``number`` and ``line``, the polyline, (n,) each; where a polyline is broken, all paths
+    but the first have numbers of their own, behind those of all polylines."""
 
     number: Ints
     line: Ints
     rows: Rows
 
 
-def close_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None) -> Closed:
-    """Return the rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of
-    the others no row stays, nor a row that has no neighbour left."""
+def close_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None, part: Part) -> Closed:
+    """Return the rows of whole polylines. ``part``: what keeps the ball off. ``cut``: which segments of the
+    contact path are cut, None: all; of the others no row stays, nor a row that has no neighbour left."""
     junctions = find_junctions(segments, radius, tolerance, cut)
     tight = find_used_up(segments, junctions)
     if not len(tight):
@@ -55,13 +59,15 @@ def close_rows(segments: Segments, radius: float, tolerance: float, cut: Bools |
         tight_line = np.zeros(len(segments.first), bool)
         tight_line[tight] = True
         is_tight = tight_line.take(segments.line)
-        trimmed = trim_polylines(segments, junctions, np.flatnonzero(is_tight), radius, tolerance, cut)
+        trimmed = trim_polylines(segments, junctions, np.flatnonzero(is_tight), radius, tolerance, part, cut)
         place = _places(segments, np.where(is_tight, 0, junctions.rows), tight_line, trimmed.line)
         easy = _easy(segments, junctions, _near(segments, is_tight, cut), place, radius, len(trimmed.line))
         found = _with_tight(easy, segments, place, trimmed)
         order = np.argsort(found.number, kind="stable")
     if cut is None:
-        return Closed(_pick_rows(found.rows, order), None, trimmed)
+        line = found.line[order]
+        breaks = np.flatnonzero((np.diff(line, prepend=-1) != 0) & (line >= len(segments.first)))
+        return Closed(_pick_rows(found.rows, order), None, trimmed, breaks=breaks)
     rows, begins, beside, wall = _lasting(found, order, cut)
     return Closed(rows, begins, trimmed, beside, wall)
 
@@ -145,7 +151,11 @@ def _with_tight(easy: _Numbered, segments: Segments, place: Ints, trimmed: Trimm
     start = np.flatnonzero(np.diff(line, prepend=-1))
     shift = place[segments.first[line[start]]] - start
     easy.number[rest] = np.arange(len(line)) + np.repeat(shift, np.diff(start, append=len(line)))
+    new = np.flatnonzero(trimmed.begins & (np.diff(line, prepend=-1) == 0))
+    path = np.cumsum(trimmed.begins)
     easy.line[rest] = line
+    later = np.isin(path, path[new])
+    easy.line[rest][later] = len(segments.first) + path[later]
     _put(easy.rows, rest, trimmed.rows)
     return easy._replace(
         rows=easy.rows._replace(lifted=trimmed.rows.lifted + rest.start, centre=trimmed.rows.centre)

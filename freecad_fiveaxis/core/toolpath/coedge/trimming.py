@@ -5,6 +5,7 @@ crossing   where the line of one chord meets the plane of the other, both ways; 
            which the two planes cross, so the path between them keeps off both facets.
 used up    a chord whose trims from its two ends overlap. It is dropped and its neighbours are trimmed against
            each other: the ball never touches what lay under it, because it already touches both sides.
+           Where the ball is free on it the path is broken beside it instead (:mod:`.breaks`).
 
 Of neighbouring used-up chords the one that a smaller ball would use up first is dropped first, as the offset
 of a polygon shrinks; all that do not disturb each other are dropped in one round.
@@ -19,7 +20,8 @@ import numpy as np
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, dot, length
 
-from .chord import Chords, height_above, make_chords, place_on
+from .breaks import Part, break_unmet, spare_free
+from .chord import Chords, drop_chords, height_above, make_chords, place_on
 from .junction import (
     FLAT,
     FLAT_GAP,
@@ -37,15 +39,20 @@ ROUNDS = 1000
 """A run of used-up chords is halved in most rounds; only one that tightens steadily needs a round for each
 chord."""
 
+UNCUT = 0.05
+"""mm that would stay beside a trim that the part does not ask for, before the path is broken there."""
+
 
 class Trimmed(NamedTuple):
-    """``rows`` of the offset path in short form, each of polyline ``line``; segments that the ball may
+    """``rows`` of the offset path in short form, each of polyline ``line``; ``begins`` True where a path
+    begins: once in each polyline, and wherever it is broken; segments that the ball may
     ``cut_into`` and ``depth`` mm, above 0 where it does; segments that it does not reach, ``missed``, and
     ``height`` mm by which it stays off.
     """
 
     rows: Rows
     line: Ints
+    begins: Bools
     cut_into: Ints
     depth: Floats
     missed: Ints
@@ -67,25 +74,27 @@ def trim_polylines(
     at: Ints,
     radius: float,
     tolerance: float,
+    part: Part,
     cut: Bools | None = None,
 ) -> Trimmed:
     """Return the offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is
-    used up. ``cut``: which segments of the contact path are cut, None: all; where chords of one that is and
-    one that is not meet, each has a row."""
+    used up. ``part``: what keeps the ball off. ``cut``: which segments of the contact path are cut, None:
+    all; where chords of one that is and one that is not meet, each has a row."""
     quarter = int(arcs_needed(np.array([0.5 * np.pi]), radius, tolerance)[0])
     chords = make_chords(segments, junctions, at, radius, quarter)
-    _drop_used_up(chords)
-    rows, line = _rows(chords, segments, junctions, cut)
-    return Trimmed(rows, line, *_what_is_left(chords, segments))
+    _drop_used_up(chords, part)
+    break_unmet(chords, part, UNCUT)
+    rows, line, begins = _rows(chords, segments, junctions, cut)
+    return Trimmed(rows, line, begins, *_what_is_left(chords, segments))
 
 
-def _drop_used_up(chords: Chords) -> None:
+def _drop_used_up(chords: Chords, part: Part) -> None:
     """Drop used-up chords, in rounds, until there are none; marks those that are left after all rounds as
-    ``stuck``."""
+    ``stuck``. Those on which the ball is free of the part stay, and the path is broken beside them."""
     fresh, waiting = np.flatnonzero(chords.crosses & (chords.after >= 0)), np.empty(0, np.int64)
     marked = np.zeros(len(chords.at), bool)
     for _ in range(ROUNDS):
-        fresh = fresh[chords.alive[fresh]]
+        fresh = fresh[chords.alive[fresh] & (chords.after[fresh] >= 0)]
         _cross(chords, fresh)
         marked[fresh] = marked[chords.after[fresh]] = marked[waiting] = True
         touched = np.flatnonzero(marked)
@@ -93,7 +102,7 @@ def _drop_used_up(chords: Chords) -> None:
         used = touched[chords.alive[touched] & (chords.start[touched] - chords.stop[touched] > COINCIDENT_MM)]
         if not len(used):
             return
-        fresh, waiting = _drop(chords, _first_to_go(chords, used)), used
+        fresh, waiting = drop_chords(chords, spare_free(chords, part, _first_to_go(chords, used))), used
     chords.stuck[used] = True
     chords.start[used], chords.stop[used] = chords.low[used], chords.high[used]
 
@@ -145,24 +154,6 @@ def _first_to_go(chords: Chords, used: Ints) -> Ints:
     return used[~stays[used]]
 
 
-def _drop(chords: Chords, gone: Ints) -> Ints:
-    """Take chords out; returns the chords that must now be trimmed against the one after them.
-
-    Beyond an open end nothing remains to trim against: the neighbour keeps the trim that the dropped chord
-    gave it.
-    """
-    before, after = chords.before[gone], chords.after[gone]
-    chords.alive[gone] = False
-    chords.heir[gone] = np.where(before >= 0, before, np.where(after >= 0, after, gone))
-    chords.after[before[before >= 0]] = after[before >= 0]
-    chords.before[after[after >= 0]] = before[after >= 0]
-    fresh = before[(before >= 0) & (after >= 0)]
-    alone = fresh[chords.after[fresh] == fresh]  # a ring of one chord is no path
-    chords.alive[alone] = False
-    chords.crosses[fresh] = True
-    return np.asarray(fresh)
-
-
 class _Spot(NamedTuple):
     """Places on chords: ``t`` mm along ``chord``; ``ending`` True where the chord ends there; ``flat`` True
     where two offsets that meet share one point; ``left`` and ``right`` segments on either side; ``fill`` as
@@ -179,9 +170,11 @@ class _Spot(NamedTuple):
     lift: Ints
 
 
-def _rows(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None) -> tuple[Rows, Ints]:
-    """Return the rows of what is left, and the polyline of each."""
-    spot, radius = _spots(chords, segments, junctions, cut), chords.radius
+def _rows(
+    chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None
+) -> tuple[Rows, Ints, Bools]:
+    """Return the rows of what is left, the polyline of each, and where paths begin."""
+    (spot, begins), radius = _spots(chords, segments, junctions, cut), chords.radius
     at, t, real = chords.at[spot.chord], spot.t, chords.real[spot.chord]
     segment, nxt = segments.live[at], segments.following[at]
     far = segments.live[np.where(nxt < 0, at, nxt)]
@@ -195,17 +188,19 @@ def _rows(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools |
     lifted = np.flatnonzero(spot.lift >= 0)
     centre = _lift_corner(chords, spot.chord[lifted], spot.lift[lifted])
     rows = Rows(base, far, spot.left, spot.right, w1, w2, w3, reach, shift, spot.fill, lifted, centre)
-    return rows, segments.line[at]
+    return rows, segments.line[at], begins
 
 
-def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None) -> _Spot:
-    """Where each polyline begins, and for each chord: its end, a lifted point, and the start of the next,
-    where needed."""
-    one = np.flatnonzero(chords.alive & ~chords.ghost)
+def _spots(
+    chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None
+) -> tuple[_Spot, Bools]:
+    """Where each path begins, and for each chord: its end, a lifted point, and the start of the next, where
+    needed; then which of these begin a path."""
+    one, first = _paths(chords, segments)
     two = chords.after[one]
     opened = (two < 0) | chords.ghost[two]
     two = np.where(opened, one, two)
-    left, right = _real_sides(chords, segments, one, opened)
+    left, right = _real_sides(chords, segments, one, first, opened)
     crosses = chords.crosses[one] & ~opened
     leaves = chords.final[one] & ~crosses & ~opened  # the arc's last point belongs to the segment after it
     real, yes, none = chords.real[one], np.ones(len(one), bool), np.full(len(one), -1)
@@ -220,7 +215,6 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools 
     dips = np.minimum(height_above(chords, two, stop), height_above(chords, one, go)) < -FLAT_GAP
     facing = dot(chords.normal.take(one, axis=1), chords.normal.take(two, axis=1))
     dips &= facing > 0.0  # nothing is above two planes that face each other
-    first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     last = np.append(first[1:], len(one))[: len(first)] - 1
     used = np.stack([np.zeros(len(one), bool), yes, apart & dips, apart], axis=1)
     used[first, 0] = True
@@ -237,7 +231,24 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools 
         column[place[first, 0]], column[place[:, 1]] = begins, ends
         column[place[over, 2]], column[place[on, 3]] = lifts[over], starts[on]
         interleaved.append(column)
-    return _Spot(*interleaved)
+    heads = np.zeros(int(used.sum()), bool)
+    heads[place[first, 0]] = True
+    return _Spot(*interleaved), heads
+
+
+def _paths(chords: Chords, segments: Segments) -> tuple[Ints, Ints]:
+    """Return the chords that are left, path by path, and the places among them at which a path begins. A ring
+    that is broken begins behind its first break."""
+    one = np.flatnonzero(chords.alive & ~chords.ghost)
+    line, before = segments.line[chords.at[one]], chords.before[one]
+    opens = (before < 0) | chords.ghost[before]
+    broken = np.zeros(len(segments.first), bool)
+    broken[line[opens]] = True
+    whole = ~broken[line]
+    early = ~whole & (np.maximum.accumulate(np.where(opens, line, -1)) < line)
+    order = np.lexsort((early, line))
+    one, line, opens, whole = one[order], line[order], opens[order], whole[order]
+    return one, np.flatnonzero(opens | (whole & (np.diff(line, prepend=-1) != 0)))
 
 
 def _lift_corner(chords: Chords, one: Ints, two: Ints) -> Floats:
@@ -250,11 +261,12 @@ def _lift_corner(chords: Chords, one: Ints, two: Ints) -> Floats:
     return np.asarray(middle - low / dot(mean, chords.normal.take(one, axis=1)) * mean)
 
 
-def _real_sides(chords: Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
+def _real_sides(
+    chords: Chords, segments: Segments, one: Ints, first: Ints, opened: Bools
+) -> tuple[Ints, Ints]:
     """Return the nearest segments that are left before and after the end of each chord, round a seam, else
     the chord's own."""
     n, row, real = len(one), np.arange(len(one)), chords.real[one]
-    first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     size = np.diff(first, append=n)
     low, high = np.repeat(first, size), np.repeat(first + size - 1, size)
     before = np.maximum.accumulate(np.where(real, row, -1))
@@ -286,6 +298,7 @@ def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Int
         heir = heir[heir]
     beyond = (chords.after < 0) | chords.ghost[chords.after]
     nothing = ~chords.alive | (chords.ghost & beyond)
+    heir[gone] = np.where(nothing[heir[gone]], _beside_breaks(chords, segments, gone), heir[gone])
     lost, gone = gone[nothing[heir[gone]]], gone[~nothing[heir[gone]]]
     heir = heir[gone]
     head = (chords.before[heir] < 0) & (heir > gone)  # all before it is gone
@@ -306,6 +319,18 @@ def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Int
     missed, height = np.concatenate([gone, lost]), np.concatenate([height, np.full(len(lost), np.inf)])
     segment = segments.live[chords.at]
     return segment[np.concatenate([gone, stuck])], depth, segment[missed], height
+
+
+def _beside_breaks(chords: Chords, segments: Segments, gone: Ints) -> Ints:
+    """Return for chords of a path of which nothing is left the one of the same polyline that is left before
+    it, or else after it, or else the chord itself."""
+    left, line = np.flatnonzero(chords.alive & ~chords.ghost), segments.line[chords.at]
+    if not len(left):
+        return gone
+    place = np.searchsorted(left, gone)
+    before, after = left[np.maximum(place - 1, 0)], left[np.minimum(place, len(left) - 1)]
+    heir = np.where(line[after] == line[gone], after, gone)
+    return np.where((place > 0) & (line[before] == line[gone]), before, heir)
 
 
 def _to_segment(chords: Chords, segments: Segments, chord: Ints, place: Floats) -> Floats:
