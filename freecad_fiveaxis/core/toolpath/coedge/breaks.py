@@ -38,7 +38,7 @@ HALVINGS = 24
 
 
 class Part:
-    """The facets that keep the ball of ``radius`` mm off; what finds them is made when it is first inner
+    """The facets that keep the ball of ``radius`` mm off; what finds them is made when it is first asked
     for."""
 
     def __init__(self, mesh: Mesh, radius: float) -> None:
