@@ -97,6 +97,7 @@ def test_the_share_notices_trims_by_planes_without_end(block, monkeypatch):
     assert finished_share(block, by_planes_without_end(block, monkeypatch)) < 0.97
 
 
+@pytest.mark.thorough
 def test_a_break_enters_nothing_that_was_not_entered_before(block, monkeypatch):
     path = close_gaps(passes(block), block, RADIUS, 0.01)
     assert entered_length(path, block) < entered_length(by_planes_without_end(block, monkeypatch), block)

@@ -339,7 +339,7 @@ SHIPPED = (("trunnion_with_bodies", -90.0, 160.0, True), ("trunnion_with_bodies"
            ("head_table_with_bodies", -60.0, 150.0, True), ("head_table_with_bodies", -140.0, 150.0, False))  # fmt: skip
 
 
-@some_in_core(("name", "height", "length", "free"), SHIPPED, kept=(0, 3))
+@some_in_core(("name", "height", "length", "free"), SHIPPED)
 def test_a_guided_program_is_milled_on_machines_with_bodies_and_audited_alike(
     tmp_path, name, height, length, free
 ):
