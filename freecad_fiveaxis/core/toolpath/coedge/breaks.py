@@ -29,6 +29,9 @@ from .chord import Chords, drop_chords, height_above, place_on
 CLAIM = 0.05
 """mm by which a place is below a plane before the part decides: where less is claimed, the chords meet near
 by, and no break is worth it."""
+WORTH = 0.25
+"""Radii that a free stretch is long at least, before a path is broken for it: a break costs a way out
+and in. In a coarse bowl, whose chords are short, none is worth it."""
 FREE, ENDS_FREE = 1e-4, 1e-3
 """mm that the ball may enter the part where it counts as free; and where a path is cut back to."""
 STEP, MOST = 0.125, 512
@@ -75,10 +78,11 @@ def spare_free(chords: Chords, part: Part, gone: Ints) -> Ints:
     before = np.where(chords.crosses[chords.before[ask]], chords.before[ask], -1)
     after = np.where(chords.crosses[ask], chords.after[ask], -1)
     found = _free_where_claimed(chords, part, ask, chords.low[ask], chords.high[ask], (before, after))
-    spared = ask[found.any]
+    worth = found.any & (found.high - found.low > WORTH * chords.radius)
+    spared = ask[worth]
     if not len(spared):
         return gone
-    low, high = found.low[found.any], found.high[found.any]
+    low, high = found.low[worth], found.high[worth]
     head, tail = chords.start[spared] > low, chords.stop[spared] < high
     chords.start[spared] = np.where(head, low, chords.start[spared])
     chords.stop[spared] = np.where(tail, high, chords.stop[spared])
@@ -105,7 +109,7 @@ def break_unmet(chords: Chords, part: Part, uncut: float) -> None:
         found = _free_where_claimed(
             chords, part, chord[ask], low[ask], high[ask], (other[ask],), (near, uncut)
         )
-        unmet[ask] |= found.any
+        unmet[ask] |= found.any & (found.high - found.low > WORTH * chords.radius)
     one, two = one[unmet], two[unmet]
     if len(one):
         _break_after(chords, one)
