@@ -61,7 +61,8 @@ def test_a_turned_box_gives_the_findings_of_the_box_moved_by_hand(files):
     _, by_hand = hits(files, "clamp.stl")
     _, placed = hits(files, "lying.stl@10,-8,0,90,0,90")
     assert [one[:4] for one in placed] == [one[:4] for one in by_hand] != []
-    assert placed[0][4] == pytest.approx(by_hand[0][4], abs=1e-9)
+    # which height of the upright edge is named is a matter of rounding: all are as deep
+    assert placed[0][4][:2] == pytest.approx(by_hand[0][4][:2], abs=1e-9)
     assert hits(files, "lying.stl@10,-8,0,0,90,90")[1] != placed
 
 
