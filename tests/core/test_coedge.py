@@ -361,7 +361,7 @@ def test_rough_ground_gives_finite_rows_and_says_where_it_is_poor():
         assert all(finding.place is not None for finding in path.findings)
 
 
-@pytest.mark.parametrize("radius", [5.0])
+@pytest.mark.parametrize("radius", [4.0, 5.0])
 def test_on_wavy_ground_no_height_is_told_that_is_not_known(radius, worst):
     """More stays than is measured to the facets that were dropped: by brute force over all segments against
     all chords."""
