@@ -289,6 +289,12 @@ class Code(str, Enum):
         "deg",
         "a block lies near the machine's pole: rotary axes swing",
     )
+    TURNS_AT_POLE = (
+        "turns-at-pole",
+        NOTE,
+        "deg",
+        "a rotary axis turns while the tool stands at the machine's pole",
+    )
     SO2008_NO_ROOT = "so2008-no-root", NOTE, "1", "the formula of So et al. has no root in these blocks"
 
     # ------------------------------------------------------------------------------ collisions and what stays

@@ -14,6 +14,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
+
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
 from freecad_fiveaxis.core.audit.feed_words import large_feeds
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
@@ -22,7 +24,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools
+from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
@@ -253,6 +255,7 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
         singularity,
         proof.tolerance,
         surface is not None,
+        find_asked_feed(draft),
     )
     gouge, rest, entries = _against_part(draft, progress)
     entries += (
@@ -265,6 +268,14 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
     audited = _audit_draft(draft, deviation, against, progress)
     of_path = tuple(of_cl_file(one) for one in against.findings) if isinstance(against, CLPath) else ()
     return Result(draft, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
+
+
+def find_asked_feed(draft: ProgramDraft) -> Floats | None:
+    """Return how fast the tip was to go over the part in each block (m,), mm/min; None of a program that was
+    not made here."""
+    if not isinstance(draft, PostedProgram):
+        return None
+    return draft.joints.path.feed.take(np.maximum(draft.program.row, 0))
 
 
 def surface_deviation(draft: ProgramDraft, above: float, progress: Progress = silent) -> Deviation | None:
@@ -370,7 +381,8 @@ def figures(result: Result) -> Figures:
         program=draft.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=draft.settings.proof.tolerance, findings=result.findings,
         inputs=flat_options(draft.settings),
-        surface=result.surface, audit=result.audit, gouge=result.gouge, rest=result.rest,
+        surface=result.surface, asked_feed=find_asked_feed(draft),
+        audit=result.audit, gouge=result.gouge, rest=result.rest,
         allowed=compute_allowed_rest(draft.settings, draft.mesh, draft.keep)
         if result.rest and isinstance(draft, MilledProgram) else 0.0,
         mesh=draft.mesh if isinstance(draft, MilledProgram) else None,

@@ -48,6 +48,7 @@ from .block_table import letter_order
 from .contacts import Contacts
 from .near_part import near_part
 from .part_facts import part_numbers
+from .turns_at_pole import find_turns_at_pole
 
 WORST = 10
 """So many single blocks are named; more tell nobody anything that the table of blocks does not tell
@@ -64,7 +65,8 @@ class Figures:
     the surface, where it is another one. ``audit`` where there was one; ``gouge`` (a row less: its row i is
     block i + 1) and ``rest`` where the settings ask for them; ``allowed`` mm: so much may be left; ``mesh``:
     the part where it is known; ``unfinished``: the share, 0 to 1, of the surface asked for that stays
-    unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part
+    unfinished; ``asked_feed`` (m,) mm/min: how fast the tip was to go over the part, where that is known;
+    ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part
     what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
@@ -88,6 +90,7 @@ class Figures:
     mesh: Mesh | None = None
     unfinished: float = 0.0
     surface: Deviation | None = None
+    asked_feed: Floats | None = None
     contacts: Contacts | None = None
     stand: float = 0.0
     rapids: str = ""
@@ -104,6 +107,13 @@ class Figures:
     def feeds(self) -> Ints:
         """The rows of the feed blocks."""
         return feed_blocks(self.program)
+
+    @cached_property
+    def at_pole(self) -> Bools:
+        """The blocks (m,) near the pole at which there is nothing to look at: the tool stands at it."""
+        return find_turns_at_pole(
+            self.kinematics, self.program, self.judged, self.singularity, self.tolerance, self.asked_feed
+        )
 
     @cached_property
     def worst(self) -> Ints:
@@ -215,6 +225,7 @@ def summary(figures: Figures) -> dict[str, Any]:
             "worst_line": int(program.line[worst[0]]) if len(worst) else None,
             "worst_block": int(worst[0]) if len(worst) else None,
             "singular_blocks": int(figures.singularity.singular[feeds].sum()),
+            "blocks_at_pole": int(figures.at_pole.sum()),
             "blocks": len(program.words),
             "feed_blocks": len(feeds),
             "time_s": float(program.seconds.sum()),

@@ -9,13 +9,15 @@ bound-over-tolerance       WARNING: it was not seen to, but the proven bound doe
 singular-block             WARNING: near the pole, where the first rotary axis turns far to move the tool a
                            little. NOTE where every such block holds the tolerance by proof, and no rotary
                            axis is slowed by its rate.
+turns-at-pole              NOTE: the tool stands at the pole all along, and nothing shows of the turn
+                           (:mod:`.turns_at_pole`); these blocks are in no singular-block.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -39,6 +41,7 @@ from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.singularity import Singularity
 
 from .figures import WORST, axis_rates, inner_words, travel, worst_first
+from .turns_at_pole import find_turns_at_pole, measure_kept
 
 ROUND_UP = 1.0 + 1e-4
 """A bound must not become less by being told with five digits."""
@@ -77,18 +80,21 @@ def judge(
     singularity: Singularity,
     tolerance: float,
     surface: bool = False,
+    asked: Floats | None = None,
 ) -> tuple[Finding, ...]:
     """Return the findings of all feed blocks; ``tolerance`` mm. All records have one row a block.
-    ``surface``: the deviation is that of a ball's centre, which makes the surface, not of the tip."""
+    ``surface``: the deviation is that of a ball's centre, which makes the surface, not of the tip; ``asked``
+    (m,) mm/min: how fast the tip was to go over the part, None: that is not known."""
     feeds = feed_blocks(program)
     over = ~(deviation.segment[feeds] <= tolerance)  # so a NaN counts as over
     unproven = ~over & ~(deviation.bound[feeds] <= tolerance)
+    upright = find_turns_at_pole(kinematics, program, deviation, singularity, tolerance, asked)
+    near = singularity.singular & ~upright
     return (
         *_over_tolerance(kinematics, program, deviation, singularity, tolerance, feeds[over], surface),
         *_unproven(program, deviation, tolerance, feeds[unproven]),
-        *_near_pole(
-            kinematics, program, deviation, singularity, feeds[singularity.singular[feeds]], tolerance
-        ),
+        *_near_pole(kinematics, program, deviation, singularity, feeds[near[feeds]], tolerance),
+        *_turns_at_pole(kinematics, program, deviation, np.flatnonzero(upright), asked),
     )
 
 
@@ -260,6 +266,31 @@ def _note_harmless(
         lean=_lean(singularity, row),
     )
     return [_finding(_Kind(Code.SINGULAR_BLOCK, turned, None, Severity.NOTE), program, deviation, row, text)]
+
+
+def _turns_at_pole(
+    kinematics: Chain, program: Program, deviation: Deviation, rows: Ints, asked: Floats | None
+) -> list[Finding]:
+    """One note about the blocks ``rows`` in which the tool stands at the pole, at the one that turns
+    farthest; its value: how far the first rotary axis turns in all of them."""
+    if asked is None or not len(rows):
+        return []
+    turned = np.abs(travel(program)[:, 3])
+    row, whole = int(worst_first(rows, turned)[0]), float(turned[rows].sum())
+    kept = float(measure_kept(kinematics, program, rows, asked)[0].min())
+    text = say(
+        "{letter} turns {whole} in all in {blocks} in which the tool stands at the pole, along the {letter} "
+        "axis, and does not lean: most in NC line {line}, {turn}. The surface is held: each keeps the "
+        "tolerance by proof, and the tool keeps {kept} % of its feed or more. Nothing is to be done.",
+        letter=program.letters[3],
+        whole=Angle(whole, ".4g"),
+        blocks=plural(len(rows), "1 feed block", "{count} feed blocks"),
+        line=program.line[row],
+        turn=Angle(float(turned[row]), ".4g"),
+        kept=math.floor(100.0 * min(kept, 1.0)),
+    )
+    one = _finding(_Kind(Code.TURNS_AT_POLE, turned, None), program, deviation, row, text)
+    return [replace(one, value=whole)]
 
 
 def _lean(singularity: Singularity, row: int) -> Angle:

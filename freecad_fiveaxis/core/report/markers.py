@@ -42,6 +42,7 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
     over, near = np.zeros(len(program.words), bool), np.zeros(len(program.words), bool)
     over[figures.feeds] = ~(deviation.segment[figures.feeds] <= figures.tolerance)
     near[figures.feeds] = figures.singularity.singular[figures.feeds]
+    near &= ~figures.at_pole
     turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
     return (
         *_mark_rows(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
@@ -53,6 +54,9 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
             "{:.4g} mm",
         ),
         *_mark_rows(figures, Code.SINGULAR_BLOCK, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
+        *_mark_rows(
+            figures, Code.TURNS_AT_POLE, _run_peaks(figures.at_pole, turned), turned, "turns {:.4g} deg"
+        ),
         *_mark_entries(figures),
         *_mark_placed_findings(figures),
     )
@@ -69,7 +73,7 @@ def _run_peaks(chosen: Bools, values: Floats) -> Ints:
 
 
 def _mark_rows(figures: Figures, kind: str, rows: Ints, values: Floats, label: str) -> list[Marker]:
-    code = Code.SINGULAR_BLOCK if kind == Code.SINGULAR_BLOCK else Code.DEVIATION_OVER_TOLERANCE
+    code = Code.DEVIATION_OVER_TOLERANCE if kind == "largest-deviation" else kind
     by_block = {one.block: one for one in reversed(figures.findings) if one.code == code}
     marks = []
     for row in rows.tolist():
@@ -106,6 +110,7 @@ def _mark_placed_findings(figures: Figures) -> list[Marker]:
     marked = (
         Code.DEVIATION_OVER_TOLERANCE,
         Code.SINGULAR_BLOCK,
+        Code.TURNS_AT_POLE,
         *((*GOUGES, Code.INDEPENDENT_RAPID) if figures.gouge else ()),
     )
     others = [one for one in figures.findings if one.place is not None and one.code not in marked]

@@ -260,9 +260,8 @@ def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) 
             area=area,
         )
     if code == Code.SINGULAR_BLOCK:
-        return plural(
-            numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole"
-        )
+        near = numbers["singular_blocks"] - numbers["blocks_at_pole"]
+        return plural(near, "{count} block near the pole", "{count} blocks near the pole")
     clause = WARNED.get(code)
     if (
         clause is None

@@ -52,6 +52,7 @@ def short_names() -> dict[str, str]:
         SIDE: translate("FiveAxis", "Not machined"),
         "corner-not-reached": translate("FiveAxis", "Corner not reached"),
         "heel-in-hollow": translate("FiveAxis", "Heel of the cutter in the part"),
+        "turns-at-pole": translate("FiveAxis", "Turns at the pole"),
         "not-freed": translate("FiveAxis", "Shank or holder not freed"),
         "table-collision": translate("FiveAxis", "Below the table"),
         "fixture-collision": translate("FiveAxis", "In a fixture"),

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Blocks in which an axis turns while the tool stands at the pole: a note of their own, no reason to check."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from report_examples import TRUNNION, program_of, sampled
+
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.gouge import Entries, GougeCheck
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.motion.program.guided import Guided
+from freecad_fiveaxis.core.report import Light, list_findings, markers, summary, verdict
+from freecad_fiveaxis.core.report.figures import Figures
+from freecad_fiveaxis.core.report.judgement import judge
+
+UPRIGHT = [(0, 0, 0, 0, 0), (2, 0, 0, 30, 0), (4, 0, 0, 70, 0)]
+"""C turns by 30 and 40 deg while the tool stands along it; the blocks are 2 and more mm long."""
+
+
+def found_in(words, feed=600.0, asked=600.0, tolerance=3.0, **more):
+    """Return the figures, judged, of blocks at ``feed`` where ``asked`` mm/min was meant."""
+    kinematics = chain(TRUNNION, Setup())
+    words = np.array(words, float)
+    program = replace(program_of(kinematics, words, feed=feed), **more)
+    deviation, singularity = sampled(kinematics, program.words)
+    asked = None if asked is None else np.full(len(words), asked)
+    found = judge(kinematics, program, deviation, singularity, tolerance, asked=asked)
+    none = np.zeros(len(words) - 1)
+    entries = Entries(none, none, none, np.zeros((len(none), 3)), none.astype(int), none.astype(int))
+    return Figures(
+        "part.stl", "mill", TRUNNION, kinematics, program, deviation, singularity, tolerance, found,
+        gouge=GougeCheck(entries, entries, none.astype(bool), ()), asked_feed=asked,
+    )  # fmt: skip
+
+
+def named(figures):
+    return [(one.code, one.severity) for one in figures.findings]
+
+
+def test_a_tool_that_stands_at_the_pole_gives_one_note_and_no_check():
+    figures = found_in(UPRIGHT)
+    assert summary(figures)["singular_blocks"] == summary(figures)["blocks_at_pole"] == 2
+    assert named(figures) == [("turns-at-pole", Severity.NOTE)]
+    (one,) = figures.findings
+    assert (one.value, one.unit, one.block, one.line) == (pytest.approx(70.0), "deg", 2, 5)
+    assert "C turns 70 deg in all in 2 feed blocks" in one.text and "NC line 5, 40 deg" in one.text
+    assert "by proof" in one.text and "100 % of its feed" in one.text
+    assert verdict(figures, summary(figures)).light is Light.GREEN
+
+
+def test_a_machine_at_its_rate_that_hardly_slows_the_tool_is_a_note_and_one_that_dwells_a_warning():
+    """C turns at its maximum rate in both: 14400 deg/min."""
+    words = np.array(UPRIGHT[:2], float)
+    speed = 2.0 / (30.0 / 14400.0)  # mm/min that the tip has then
+    slow, dwells = (found_in(words, feed=1e5, asked=speed / share) for share in (0.8, 0.7))
+    assert named(slow) == [("turns-at-pole", Severity.NOTE)] and "80 % of its feed" in slow.findings[0].text
+    assert named(dwells)[0] == ("singular-block", Severity.WARNING)
+    assert verdict(dwells, summary(dwells)).text == "CHECK: 1 block near the pole."
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"asked": None},
+        {"tolerance": 0.1},
+        {"seconds": np.zeros(3)},
+        {"guided": Guided(np.array([False, True, True]), np.zeros((3, 3)))},
+    ],
+    ids=["feed not known", "tolerance left", "time not known", "guided"],
+)
+def test_what_is_not_known_or_does_not_hold_is_near_the_pole_as_ever(more):
+    codes = {code for code, _ in named(found_in(UPRIGHT, **more))}
+    assert "singular-block" in codes and "turns-at-pole" not in codes
+
+
+@pytest.mark.parametrize("lean", [-0.002, 0.002, 2.0])
+def test_a_tool_that_leans_is_not_at_the_pole_and_by_rounding_it_does_not_lean(lean):
+    leaning = [(0, 0, 0, 0, lean), (2, 0, 0, 30, lean)]
+    assert {code for code, _ in named(found_in(leaning))} == {"singular-block"}
+    rounded = [(0, 0, 0, 0, 0.0005), (2, 0, 0, 30, -0.0005)]
+    assert named(found_in(rounded)) == [("turns-at-pole", Severity.NOTE)]
+
+
+def test_what_passes_near_the_pole_stays_a_warning_that_counts_itself_alone():
+    figures = found_in([*UPRIGHT, (4, 0, 0, 70, 2), (4.01, 0, 0, 130, 2)], feed=1e5)
+    assert summary(figures)["singular_blocks"] == 3 and summary(figures)["blocks_at_pole"] == 2
+    warning, note = figures.findings
+    assert (warning.code, warning.severity, warning.block) == ("singular-block", Severity.WARNING, 4)
+    assert warning.text.startswith("1 feed block lies near the pole") and note.code == "turns-at-pole"
+    assert verdict(figures, summary(figures)).text == "CHECK: 1 block near the pole."
+
+
+def test_each_place_has_its_marker_and_its_row():
+    figures = found_in([*UPRIGHT, (6, 0, 0, 70, 0), (8, 0, 0, 90, 0)])
+    marks = [mark for mark in markers(figures) if mark.kind != "largest-deviation"]
+    assert [(mark.kind, mark.block) for mark in marks] == [("turns-at-pole", 2), ("turns-at-pole", 4)]
+    assert marks[0].finding is figures.findings[0] and marks[0].label == "turns 40 deg, line 5"
+    rows, _ = list_findings(figures)
+    assert {row.finding.severity for row in rows if row.kind == "turns-at-pole"} == {Severity.NOTE}
+    assert len([row for row in rows if row.kind == "turns-at-pole"]) == 2
