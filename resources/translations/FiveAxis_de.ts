@@ -3383,6 +3383,10 @@
         <translation>Zuerst den Volumenkörper drehen, wie empfohlen, dann nur eine Drehung erproben.</translation>
     </message>
     <message>
+        <source>Turns at the pole</source>
+        <translation>Dreht am Pol</translation>
+    </message>
+    <message>
         <source>Turns of the part</source>
         <translation>Drehungen des Werkstücks</translation>
     </message>
@@ -4474,6 +4478,10 @@
     <message>
         <source>1 block leads</source>
         <translation>1 NC-Satz führt</translation>
+    </message>
+    <message>
+        <source>1 feed block</source>
+        <translation>1 Vorschubsatz</translation>
     </message>
     <message>
         <source>1 feed block (NC line {first})</source>
@@ -5822,6 +5830,10 @@
     <message>
         <source>a rotary axis turns back inside a cut, with the tool retracted</source>
         <translation>eine Drehachse dreht mitten im Schnitt zurück, bei abgehobenem Werkzeug</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns while the tool stands at the machine's pole</source>
+        <translation>eine Drehachse dreht, während das Werkzeug am Pol der Maschine steht</translation>
     </message>
     <message>
         <source>a setup map</source>
@@ -8828,6 +8840,10 @@
         <translation>{count} Facetten ohne Fläche sind ausgelassen, die erste bei {at}; Bahnen enden, wo dadurch ein Riss bleibt.</translation>
     </message>
     <message>
+        <source>{count} feed blocks</source>
+        <translation>{count} Vorschubsätzen</translation>
+    </message>
+    <message>
         <source>{count} feed blocks (between NC lines {first} and {last})</source>
         <translation>{count} Vorschubsätzen (zwischen den NC-Zeilen {first} und {last})</translation>
     </message>
@@ -9278,6 +9294,10 @@
     <message>
         <source>{letter} turns the wrong way</source>
         <translation>{letter} dreht falsch herum</translation>
+    </message>
+    <message>
+        <source>{letter} turns {whole} in all in {blocks} in which the tool stands at the pole, along the {letter} axis, and does not lean: most in NC line {line}, {turn}. The surface is held: each keeps the tolerance by proof, and the tool keeps {kept} % of its feed or more. Nothing is to be done.</source>
+        <translation>{letter} dreht insgesamt {whole} in {blocks}, in denen das Werkzeug am Pol steht, längs der {letter}-Achse, und sich nicht neigt: am meisten in NC-Zeile {line}, {turn}. Die Fläche stimmt: Jeder hält die Toleranz nachweislich ein, und das Werkzeug behält mindestens {kept} % seines Vorschubs. Zu tun ist nichts.</translation>
     </message>
     <message>
         <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>

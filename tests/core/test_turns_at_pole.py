@@ -5,12 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from gouge_examples import prism
 from report_examples import TRUNNION, program_of, sampled
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.gouge import Entries, GougeCheck
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program.guided import Guided
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import Light, list_findings, markers, summary, verdict
 from freecad_fiveaxis.core.report.figures import Figures
 from freecad_fiveaxis.core.report.judgement import judge
@@ -83,6 +86,13 @@ def test_a_tool_that_leans_is_not_at_the_pole_and_by_rounding_it_does_not_lean(l
     assert named(found_in(rounded)) == [("turns-at-pole", Severity.NOTE)]
 
 
+def test_a_tool_that_turns_over_and_back_leaves_the_pole_between():
+    codes = {
+        code for code, _ in named(found_in([(0, 0, 0, 0, 0), (2, 0, 0, 30, 360)], asked=1.0, tolerance=1e3))
+    }
+    assert codes == {"singular-block"}
+
+
 def test_what_passes_near_the_pole_stays_a_warning_that_counts_itself_alone():
     figures = found_in([*UPRIGHT, (4, 0, 0, 70, 2), (4.01, 0, 0, 130, 2)], feed=1e5)
     assert summary(figures)["singular_blocks"] == 3 and summary(figures)["blocks_at_pole"] == 2
@@ -90,6 +100,22 @@ def test_what_passes_near_the_pole_stays_a_warning_that_counts_itself_alone():
     assert (warning.code, warning.severity, warning.block) == ("singular-block", Severity.WARNING, 4)
     assert warning.text.startswith("1 feed block lies near the pole") and note.code == "turns-at-pole"
     assert verdict(figures, summary(figures)).text == "CHECK: 1 block near the pole."
+
+
+def test_a_plain_box_is_not_to_be_checked_for_turns_on_its_flat_top():
+    """The path is put on the pole there, and the turn that is needed anyway spread over the cuts. The feed
+    that is asked for is that of the path: with another one, five times as fast, the tool dwells."""
+    box = prism([(-8, 0), (8, 0), (8, 12), (-8, 12)], 20.0)
+    given = {"machine": "trunnion_ac", "cutter": "ball:8", "scallop": 0.4, "gouge": "off", "spindle": 8000}
+    draft = job.make(build_settings("mill", "box", given), mesh=box)
+    result = job.prove(draft)
+    numbers = summary(job.figures(result))
+    assert numbers["blocks_at_pole"] == numbers["singular_blocks"] > 10
+    codes = [one.code for one in result.findings]
+    assert codes.count("turns-at-pole") == 1 and "singular-block" not in codes
+    path = draft.joints.path
+    fast = replace(draft, joints=replace(draft.joints, path=replace(path, feed=5.0 * path.feed)))
+    assert "singular-block" in {one.code for one in job.prove(fast).findings}
 
 
 def test_each_place_has_its_marker_and_its_row():
