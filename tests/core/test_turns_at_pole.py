@@ -29,12 +29,12 @@ def found_in(words, feed=600.0, asked=600.0, tolerance=3.0, **more):
     program = replace(program_of(kinematics, words, feed=feed), **more)
     deviation, singularity = sampled(kinematics, program.words)
     asked = None if asked is None else np.full(len(words), asked)
-    found = judge(kinematics, program, deviation, singularity, tolerance, asked=asked)
+    found = judge(kinematics, program, deviation, singularity, tolerance, programmed=asked)
     none = np.zeros(len(words) - 1)
     entries = Entries(none, none, none, np.zeros((len(none), 3)), none.astype(int), none.astype(int))
     return Figures(
         "part.stl", "mill", TRUNNION, kinematics, program, deviation, singularity, tolerance, found,
-        gouge=GougeCheck(entries, entries, none.astype(bool), ()), asked_feed=asked,
+        gouge=GougeCheck(entries, entries, none.astype(bool), ()), programmed_feed=asked,
     )  # fmt: skip
 
 

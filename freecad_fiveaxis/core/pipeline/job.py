@@ -255,7 +255,7 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
         singularity,
         proof.tolerance,
         surface is not None,
-        find_asked_feed(draft),
+        find_programmed_feed(draft),
     )
     gouge, rest, entries = _against_part(draft, progress)
     entries += (
@@ -270,7 +270,7 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
     return Result(draft, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
 
 
-def find_asked_feed(draft: ProgramDraft) -> Floats | None:
+def find_programmed_feed(draft: ProgramDraft) -> Floats | None:
     """Return how fast the tip was to go over the part in each block (m,), mm/min; None of a program that was
     not made here."""
     if not isinstance(draft, PostedProgram):
@@ -381,7 +381,7 @@ def figures(result: Result) -> Figures:
         program=draft.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=draft.settings.proof.tolerance, findings=result.findings,
         inputs=flat_options(draft.settings),
-        surface=result.surface, asked_feed=find_asked_feed(draft),
+        surface=result.surface, programmed_feed=find_programmed_feed(draft),
         audit=result.audit, gouge=result.gouge, rest=result.rest,
         allowed=compute_allowed_rest(draft.settings, draft.mesh, draft.keep)
         if result.rest and isinstance(draft, MilledProgram) else 0.0,

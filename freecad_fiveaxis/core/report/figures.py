@@ -65,7 +65,7 @@ class Figures:
     the surface, where it is another one. ``audit`` where there was one; ``gouge`` (a row less: its row i is
     block i + 1) and ``rest`` where the settings ask for them; ``allowed`` mm: so much may be left; ``mesh``:
     the part where it is known; ``unfinished``: the share, 0 to 1, of the surface asked for that stays
-    unfinished; ``asked_feed`` (m,) mm/min: how fast the tip was to go over the part, where that is known;
+    unfinished; ``programmed_feed`` (m,) mm/min: how fast the tip was to go over the part, where that is known;
     ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part
     what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
@@ -90,7 +90,7 @@ class Figures:
     mesh: Mesh | None = None
     unfinished: float = 0.0
     surface: Deviation | None = None
-    asked_feed: Floats | None = None
+    programmed_feed: Floats | None = None
     contacts: Contacts | None = None
     stand: float = 0.0
     rapids: str = ""
@@ -112,7 +112,7 @@ class Figures:
     def at_pole(self) -> Bools:
         """The blocks (m,) near the pole at which there is nothing to look at: the tool stands at it."""
         return find_turns_at_pole(
-            self.kinematics, self.program, self.judged, self.singularity, self.tolerance, self.asked_feed
+            self.kinematics, self.program, self.judged, self.singularity, self.tolerance, self.programmed_feed
         )
 
     @cached_property

@@ -80,21 +80,21 @@ def judge(
     singularity: Singularity,
     tolerance: float,
     surface: bool = False,
-    asked: Floats | None = None,
+    programmed: Floats | None = None,
 ) -> tuple[Finding, ...]:
     """Return the findings of all feed blocks; ``tolerance`` mm. All records have one row a block.
-    ``surface``: the deviation is that of a ball's centre, which makes the surface, not of the tip; ``asked``
+    ``surface``: the deviation is that of a ball's centre, which makes the surface, not of the tip; ``programmed``
     (m,) mm/min: how fast the tip was to go over the part, None: that is not known."""
     feeds = feed_blocks(program)
     over = ~(deviation.segment[feeds] <= tolerance)  # so a NaN counts as over
     unproven = ~over & ~(deviation.bound[feeds] <= tolerance)
-    upright = find_turns_at_pole(kinematics, program, deviation, singularity, tolerance, asked)
+    upright = find_turns_at_pole(kinematics, program, deviation, singularity, tolerance, programmed)
     near = singularity.singular & ~upright
     return (
         *_over_tolerance(kinematics, program, deviation, singularity, tolerance, feeds[over], surface),
         *_unproven(program, deviation, tolerance, feeds[unproven]),
         *_near_pole(kinematics, program, deviation, singularity, feeds[near[feeds]], tolerance),
-        *_turns_at_pole(kinematics, program, deviation, np.flatnonzero(upright), asked),
+        *_turns_at_pole(kinematics, program, deviation, np.flatnonzero(upright), programmed),
     )
 
 
@@ -269,15 +269,15 @@ def _note_harmless(
 
 
 def _turns_at_pole(
-    kinematics: Chain, program: Program, deviation: Deviation, rows: Ints, asked: Floats | None
+    kinematics: Chain, program: Program, deviation: Deviation, rows: Ints, programmed: Floats | None
 ) -> list[Finding]:
     """One note about the blocks ``rows`` in which the tool stands at the pole, at the one that turns
     farthest; its value: how far the first rotary axis turns in all of them."""
-    if asked is None or not len(rows):
+    if programmed is None or not len(rows):
         return []
     turned = np.abs(travel(program)[:, 3])
     row, whole = int(worst_first(rows, turned)[0]), float(turned[rows].sum())
-    kept = float(measure_kept(kinematics, program, rows, asked)[0].min())
+    kept = float(measure_kept(kinematics, program, rows, programmed)[0].min())
     text = say(
         "{letter} turns {whole} in all in {blocks} in which the tool stands at the pole, along the {letter} "
         "axis, and does not lean: most in NC line {line}, {turn}. The surface is held: each keeps the "

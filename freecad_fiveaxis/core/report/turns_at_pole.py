@@ -33,29 +33,29 @@ def find_turns_at_pole(
     deviation: Deviation,
     singularity: Singularity,
     tolerance: float,
-    asked: Floats | None,
+    programmed: Floats | None,
 ) -> Bools:
     """Tell which blocks (m,) turn an axis at the pole and harm nothing by it: singular ones at feed in which
     the tool stands at the pole, that hold ``tolerance`` mm by proof, and in which the tip keeps KEPT of the
-    feed ``asked`` (m,) mm/min. None of them where that is not known, or the controller guides the tip."""
+    feed ``programmed`` (m,) mm/min. None of them where that is not known, or the controller guides the tip."""
     found = np.zeros(len(program.words), np.bool_)
-    if asked is None or program.guided is not None:
+    if programmed is None or program.guided is not None:
         return found
     rows = feed_blocks(program)
     rows = rows[singularity.singular[rows] & (deviation.bound[rows] <= tolerance)]
-    share, upright = measure_kept(kinematics, program, rows, asked)
+    share, upright = measure_kept(kinematics, program, rows, programmed)
     found[rows] = upright & (share >= KEPT)
     return found
 
 
-def measure_kept(kinematics: Chain, program: Program, rows: Ints, asked: Floats) -> tuple[Floats, Bools]:
-    """Return which share of the feed ``asked`` (m,) mm/min the tip keeps in the blocks ``rows`` (k,), 0 where
+def measure_kept(kinematics: Chain, program: Program, rows: Ints, programmed: Floats) -> tuple[Floats, Bools]:
+    """Return which share of the feed ``programmed`` (m,) mm/min the tip keeps in the blocks ``rows`` (k,), 0 where
     no time or feed is known, and in which the tool stands at the pole within rounding."""
     words = program.words[np.concatenate([rows - 1, rows])]
     tip, axis = forward(kinematics, words_to_q(words))
     lean = np.linalg.norm(np.cross(axis, kinematics.direction[3]), axis=1).reshape(2, -1)
     swung = np.abs(np.radians(np.subtract(*words[:, 4].reshape(2, -1))))
     step = np.linalg.norm(np.subtract(*tip.reshape(2, -1, 3)), axis=1)
-    meant = asked[rows] * program.seconds[rows] / 60.0
+    meant = programmed[rows] * program.seconds[rows] / 60.0
     share = np.divide(step, meant, out=np.zeros_like(step), where=meant > 0.0)
     return share, (lean <= UPRIGHT).all(axis=0) & (swung <= 2.0 * UPRIGHT)
