@@ -65,9 +65,9 @@ class Figures:
     the surface, where it is another one. ``audit`` where there was one; ``gouge`` (a row less: its row i is
     block i + 1) and ``rest`` where the settings ask for them; ``allowed`` mm: so much may be left; ``mesh``:
     the part where it is known; ``unfinished``: the share, 0 to 1, of the surface asked for that stays
-    unfinished; ``programmed_feed`` (m,) mm/min: how fast the tip was to go over the part, where that is known;
-    ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part
-    what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
+    unfinished; ``programmed_feed`` (m,) mm/min: how fast the tip was to go over the part, where that is
+    known; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part what is
+    drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
     against.

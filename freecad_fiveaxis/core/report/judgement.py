@@ -83,8 +83,8 @@ def judge(
     programmed: Floats | None = None,
 ) -> tuple[Finding, ...]:
     """Return the findings of all feed blocks; ``tolerance`` mm. All records have one row a block.
-    ``surface``: the deviation is that of a ball's centre, which makes the surface, not of the tip; ``programmed``
-    (m,) mm/min: how fast the tip was to go over the part, None: that is not known."""
+    ``surface``: the deviation is that of a ball's centre, which makes the surface, not of the tip;
+    ``programmed`` (m,) mm/min: how fast the tip was to go over the part, None: that is not known."""
     feeds = feed_blocks(program)
     over = ~(deviation.segment[feeds] <= tolerance)  # so a NaN counts as over
     unproven = ~over & ~(deviation.bound[feeds] <= tolerance)

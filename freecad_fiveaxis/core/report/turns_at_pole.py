@@ -23,8 +23,8 @@ UPRIGHT = math.radians(0.5e-3)
 """rad from the pole: half a step of a rotary word of three decimals, the coarsest that a controller gets."""
 
 KEPT = 0.75
-"""Share of the feed asked for that the tip must keep over the part: a quarter less changes chips as little as
-a hand at the feed override does; a tool that is held back more may leave a mark where it dwells."""
+"""Share of the programmed feed that the tip must keep over the part: a quarter less changes chips as little
+as a hand at the feed override does; a tool that is held back more may leave a mark where it dwells."""
 
 
 def find_turns_at_pole(
@@ -37,7 +37,8 @@ def find_turns_at_pole(
 ) -> Bools:
     """Tell which blocks (m,) turn an axis at the pole and harm nothing by it: singular ones at feed in which
     the tool stands at the pole, that hold ``tolerance`` mm by proof, and in which the tip keeps KEPT of the
-    feed ``programmed`` (m,) mm/min. None of them where that is not known, or the controller guides the tip."""
+    feed ``programmed`` (m,) mm/min. None of them where that is not known, or the controller guides the
+    tip."""
     found = np.zeros(len(program.words), np.bool_)
     if programmed is None or program.guided is not None:
         return found
@@ -49,8 +50,8 @@ def find_turns_at_pole(
 
 
 def measure_kept(kinematics: Chain, program: Program, rows: Ints, programmed: Floats) -> tuple[Floats, Bools]:
-    """Return which share of the feed ``programmed`` (m,) mm/min the tip keeps in the blocks ``rows`` (k,), 0 where
-    no time or feed is known, and in which the tool stands at the pole within rounding."""
+    """Return which share of the feed ``programmed`` (m,) mm/min the tip keeps in the blocks ``rows`` (k,), 0
+    where no time or feed is known, and in which the tool stands at the pole within rounding."""
     words = program.words[np.concatenate([rows - 1, rows])]
     tip, axis = forward(kinematics, words_to_q(words))
     lean = np.linalg.norm(np.cross(axis, kinematics.direction[3]), axis=1).reshape(2, -1)
