@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, Piece, distance_off
 
 from .swept_motion import Poses, SweptMotion
+from .too_tight import report_too_tight
 
 NEAREST = 12
 """Sampled poses that are looked at for each point, at least."""
@@ -72,7 +73,8 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 @dataclass(frozen=True, eq=False)
 class RestMaterial:
     """``point`` (k, 3) mm on the surface; ``facet`` (k,); ``area`` (k,) mm2; ``height`` (k,) mm; ``block``
-    (k,) of the swept motion that comes nearest; ``spacing`` mm of the samples."""
+    (k,) of the swept motion that comes nearest; ``spacing`` mm of the samples. ``mesh`` and ``body``: the
+    part and the cutter, where they are known."""
 
     point: Floats
     facet: Ints
@@ -80,6 +82,8 @@ class RestMaterial:
     height: Floats
     block: Ints
     spacing: float
+    mesh: Mesh | None = None
+    body: Body | None = None
 
     def uncut(self, above: float) -> tuple[float, float]:
         """Return the area (mm2) on which more than ``above`` mm is left, and how much more there is on it
@@ -128,7 +132,7 @@ def find_rest_material(
 
     in_threads(work, range(0, len(point), CHUNK // near), lambda share: progress("what is left", share))
     progress("what is left", 1.0)
-    return RestMaterial(point, facet, area, height, nearest, spacing)
+    return RestMaterial(point, facet, area, height, nearest, spacing, mesh, body)
 
 
 def surface_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints]:
@@ -335,7 +339,8 @@ def _height(body: Body, pose: Poses, place: Floats) -> Floats:
 
 
 def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
-    """Return a finding where more than ``above`` mm is left somewhere: area, largest height and its place."""
+    """Return a finding where more than ``above`` mm is left somewhere: area, largest height and its place;
+    and one for how much of it is too tight for the cutter, where that is known."""
     area, volume = remainder.uncut(above)
     if area == 0.0:
         return ()
@@ -350,7 +355,12 @@ def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
         height=Length(remainder.height[worst], ".4g"),
         volume=Volume(volume, ".4g"),
     )
-    return (report_finding(Code.UNCUT, text, area, 0.0, place=(x, y, z), unit="mm2"),)
+    found = report_finding(Code.UNCUT, text, area, 0.0, place=(x, y, z), unit="mm2")
+    if remainder.mesh is None or remainder.body is None:
+        return (found,)
+    rows = np.flatnonzero(remainder.height > above)
+    point, facet, part = remainder.point[rows], remainder.facet[rows], remainder.area[rows]
+    return (found, *report_too_tight(remainder.mesh, remainder.body, point, facet, part, above))
 
 
 def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:

@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.gouge import (
 from freecad_fiveaxis.core.gouge.table_check import check_table
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of
+from freecad_fiveaxis.core.report.unfinished import BY_SETTINGS, WHY, Unfinished
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
@@ -192,6 +193,15 @@ def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bo
     out = area_of(findings, *NOT_CUT)
     whole = float(mesh.area[keep].sum()) + out
     return (out + rest_area(findings)) / whole
+
+
+def divide_unfinished(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> Unfinished:
+    """Return the share of :func:`compute_unfinished_share` with its parts: what findings say is out of reach,
+    and what the settings leave."""
+    whole = float(mesh.area[keep].sum()) + area_of(findings, *NOT_CUT)
+    beyond = {code: area_of(findings, code) / whole for code in WHY}
+    share = compute_unfinished_share(findings, mesh, keep)
+    return Unfinished(share, beyond, area_of(findings, *BY_SETTINGS) / whole)
 
 
 def compute_finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:

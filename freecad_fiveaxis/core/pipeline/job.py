@@ -53,6 +53,7 @@ from .collision_avoidance import (
     compute_allowed_rest,
     compute_unfinished_share,
     cutting,
+    divide_unfinished,
     enters_table,
     find_rest_of_program,
     rest_material_findings,
@@ -388,6 +389,8 @@ def figures(result: Result) -> Figures:
         mesh=draft.mesh if isinstance(draft, MilledProgram) else None,
         unfinished=compute_unfinished_share(result.findings, draft.mesh, draft.keep)
         if isinstance(draft, MilledProgram) else 0.0,
+        unfinished_parts=divide_unfinished(result.findings, draft.mesh, draft.keep)
+        if isinstance(draft, MilledProgram) else None,
         contacts=contacts, stand=_stand(draft, contacts) if isinstance(draft, MilledProgram) else 0.0,
         rapids=rapids_of(draft.settings, draft.machine, draft.dialect),
         table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft,

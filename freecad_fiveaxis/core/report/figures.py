@@ -49,6 +49,7 @@ from .contacts import Contacts
 from .near_part import near_part
 from .part_facts import part_numbers
 from .turns_at_pole import find_turns_at_pole
+from .unfinished import Unfinished
 
 WORST = 10
 """So many single blocks are named; more tell nobody anything that the table of blocks does not tell
@@ -65,9 +66,10 @@ class Figures:
     the surface, where it is another one. ``audit`` where there was one; ``gouge`` (a row less: its row i is
     block i + 1) and ``rest`` where the settings ask for them; ``allowed`` mm: so much may be left; ``mesh``:
     the part where it is known; ``unfinished``: the share, 0 to 1, of the surface asked for that stays
-    unfinished; ``programmed_feed`` (m,) mm/min: how fast the tip was to go over the part, where that is
-    known; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part what is
-    drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
+    unfinished, ``unfinished_parts`` the same by why; ``programmed_feed`` (m,) mm/min: how fast the tip was to
+    go over the part, where that is known; ``contacts``: where a ball that leans touches the part; ``stand``
+    mm: how far from the part what is drawn of a cut stands at most (``near_part``); ``rapids``: how the
+    controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
     against.
@@ -89,6 +91,7 @@ class Figures:
     allowed: float = 0.0
     mesh: Mesh | None = None
     unfinished: float = 0.0
+    unfinished_parts: Unfinished | None = None
     surface: Deviation | None = None
     programmed_feed: Floats | None = None
     contacts: Contacts | None = None
@@ -238,6 +241,7 @@ def summary(figures: Figures) -> dict[str, Any]:
         | summarize_audit(figures.program, figures.audit)
         | part_numbers(figures.program, figures.gouge, figures.rest, figures.tolerance, figures.allowed)
         | ({} if figures.mesh is None else {"unfinished_share": figures.unfinished})
+        | ({} if figures.unfinished_parts is None else {"unfinished_parts": figures.unfinished_parts.parts()})
     )
 
 

@@ -32,15 +32,13 @@ from freecad_fiveaxis.core.base.sentences import (
     say,
 )
 
+from .unfinished import NOTABLE_SHARE, name_unfinished
+
 if TYPE_CHECKING:
     from .figures import Figures
 
 NAMED = 3
 """So many kinds of errors, or of warnings, are named in the sentence; the findings tell of all."""
-
-
-NOTABLE_SHARE = 0.005
-"""Of the surface asked for: where less stays unfinished, what is said of the single places tells it."""
 
 
 class Light(Enum):
@@ -202,10 +200,7 @@ def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
 def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     feeds = numbers["feed_blocks"]
     if figures.unfinished >= NOTABLE_SHARE:
-        yield say(
-            "{share} % of the surface to be milled stays unfinished",
-            share=Number(100.0 * figures.unfinished, ".2g"),
-        )
+        yield name_unfinished(figures.unfinished, figures.unfinished_parts)
     if not feeds:
         yield say("the program has no feed blocks, so nothing is proven")
     if not is_checked(figures):

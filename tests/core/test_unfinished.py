@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What stays unfinished, divided into what the tool cannot reach, what the settings leave and what it missed."""
+
+import math
+
+import numpy as np
+import pytest
+from gouge_examples import prism, step
+
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import report_finding
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.gouge import RestMaterial, uncut_finding
+from freecad_fiveaxis.core.gouge.rest_material import surface_samples
+from freecad_fiveaxis.core.gouge.too_tight import find_ball, find_too_tight
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.report import as_text, summary, verdict
+from freecad_fiveaxis.core.report.unfinished import Unfinished, name_unfinished
+from freecad_fiveaxis.core.tool import parse_cutter
+from freecad_fiveaxis.core.tool.body import CUTTER, body_of
+
+BLOCK = prism([(-5, 0), (5, 0), (5, 10), (-5, 10)], 10.0)
+"""600 mm2, all of which is to be cut here."""
+
+
+def divided(**areas):
+    found = tuple(report_finding(Code[name.upper()], "So.", area, unit="mm2") for name, area in areas.items())
+    return divide_unfinished(found, BLOCK, np.ones(len(BLOCK.face), bool))
+
+
+def test_the_parts_are_those_of_the_findings_and_make_up_the_whole():
+    parts = divided(
+        facets_without_free_axis=100.0, facets_beyond_machine=50.0, facets_beyond_axis_angle=30.0,
+        outside_frames=20.0, uncut=60.0, uncut_too_tight=45.0, near_avoided_faces=10.0,
+    )  # fmt: skip
+    assert parts.parts() == pytest.approx(
+        {"out_of_reach": 195.0 / 800.0, "left_by_settings": 40.0 / 800.0, "missed": 35.0 / 800.0}
+    )
+    assert sum(parts.parts().values()) == pytest.approx(parts.whole) == pytest.approx(270.0 / 800.0)
+
+
+def test_the_verdict_names_what_the_tool_cannot_reach_and_why():
+    parts = divided(facets_without_free_axis=100.0, facets_beyond_axis_angle=35.0, uncut=80.0, uncut_too_tight=40.0)  # fmt: skip
+    assert name_unfinished(parts.whole, parts) == (
+        "29 % of the surface to be milled stays unfinished: 19 % the tool cannot reach (no free axis, too "
+        "tight for the cutter), 4.8 % the settings leave out, 5.4 % it missed"
+    )
+    alone = divided(facets_beyond_machine=200.0)
+    assert name_unfinished(alone.whole, alone).endswith(
+        "25 % of the surface to be milled stays unfinished: the tool cannot reach it (beyond the machine's limits)"
+    )
+
+
+def test_where_nothing_is_known_to_be_out_of_reach_the_words_are_as_ever():
+    for parts in (divided(uncut=60.0), divided(facets_beyond_axis_angle=60.0), None):
+        share = 0.1 if parts is None else parts.whole
+        assert name_unfinished(share, parts).endswith(" % of the surface to be milled stays unfinished")
+
+
+def test_more_cannot_be_out_of_reach_than_stays():
+    parts = Unfinished(0.1, {Code.UNCUT_TOO_TIGHT: 0.2}, 0.0)
+    assert (parts.out_of_reach, parts.missed) == (0.1, 0.0)
+
+
+@pytest.mark.parametrize("above", [0.05, 0.3])
+def test_a_corner_between_two_walls_is_too_tight_for_a_ball_as_far_as_by_hand(above):
+    """A ball of radius r in a corner of 90 deg: its middle is r from both walls, and at x from the corner it
+    leaves sqrt((r - x)^2 + r^2) - r. Besides, the ball finds its place everywhere."""
+    part, radius, spacing = step(), 4.0, 0.4
+    point, facet, area = surface_samples(part, spacing)
+    tight = find_too_tight(facet_tree(part), radius, point, part.normal[facet], above)
+    strip = radius - math.sqrt((radius + above) ** 2 - radius**2)
+    assert area[tight].sum() == pytest.approx(2 * 40.0 * strip, rel=0.03)
+    assert np.abs(point[tight, 1:]).max() < strip + spacing
+
+
+def test_only_a_ball_is_set_on_the_part():
+    ends = {"ball:8": 4.0, "lollipop:8/4": 4.0, "flat:8": None, "bull:8/1": None}
+    assert {name: find_ball(body_of(parse_cutter(name)).only(CUTTER)) for name in ends} == ends
+
+
+def rest_of(part, height, **more):
+    point, facet, area = surface_samples(part, 1.0)
+    return RestMaterial(point, facet, area, np.full(len(point), height), np.zeros(len(point), int), 1.0, **more)  # fmt: skip
+
+
+def test_what_is_too_tight_is_a_note_beside_the_warning_where_part_and_ball_are_known():
+    body = body_of(parse_cutter("ball:8")).only(CUTTER)
+    uncut, tight = uncut_finding(rest_of(step(), 0.5, mesh=step(), body=body), 0.05)
+    assert (uncut.code, tight.code, tight.severity.name) == ("uncut", "uncut-too-tight", "NOTE")
+    assert 0.0 < tight.value < 0.1 * uncut.value and "too tight for the cutter" in tight.text
+    assert [one.code for one in uncut_finding(rest_of(step(), 0.5), 0.05)] == ["uncut"]
+    flat = rest_of(step(), 0.5, mesh=step(), body=body_of(parse_cutter("flat:8")).only(CUTTER))
+    assert [one.code for one in uncut_finding(flat, 0.05)] == ["uncut"]
+    open_ = rest_of(BLOCK, 0.5, mesh=BLOCK, body=body)
+    assert [one.code for one in uncut_finding(open_, 0.05)] == ["uncut"]
+
+
+def test_a_step_says_how_much_of_what_stays_is_its_inside_corner():
+    """The sides at the ends are missed, for planes lie along them; the corner is too tight."""
+    given = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 1, "passes": "planes", "direction": 0,
+             "tool_axis": "facet_mean", "max_axis_angle": 60, "rest": "on"}  # fmt: skip
+    figures = job.figures(job.prove(job.make(build_settings("mill", "part", given), mesh=step())))
+    numbers = summary(figures)
+    parts = numbers["unfinished_parts"]
+    assert sum(parts.values()) == pytest.approx(numbers["unfinished_share"])
+    assert parts["out_of_reach"] > 0.0 and parts["left_by_settings"] > 0.0
+    assert "the tool cannot reach (too tight for the cutter)" in verdict(figures, numbers).text
+    assert f"(out of reach {100.0 * parts['out_of_reach']:.1f} %" in " ".join(as_text(figures).split())
