@@ -4516,6 +4516,14 @@
         <translation>1 geprüfte Aufspannung ist übergangen, weil Werkzeug oder Spindel dort die Maschine treffen: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
     </message>
     <message>
+        <source>: the tool cannot reach it ({why})</source>
+        <translation>: Das Werkzeug kommt nicht hin ({why})</translation>
+    </message>
+    <message>
+        <source>: {parts}</source>
+        <translation>: {parts}</translation>
+    </message>
+    <message>
         <source>; do you mean {close}?</source>
         <translation> – ist {close} gemeint?</translation>
     </message>
@@ -7124,6 +7132,10 @@
         <translation>keine Facette des Werkstücks liegt innerhalb {tolerance} auf {name}; die Flächen an ihrem Ort und in den Einheiten des Werkstücks exportieren oder die Toleranz erhöhen</translation>
     </message>
     <message>
+        <source>no free axis</source>
+        <translation>keine Werkzeugachse frei</translation>
+    </message>
+    <message>
         <source>no height up to {raises} keeps a machine with wrong signs clear; give a smaller {angle}</source>
         <translation>keine Höhe bis {raises} hält eine Maschine mit falschen Vorzeichen frei; {angle} verringern</translation>
     </message>
@@ -7290,6 +7302,10 @@
     <message>
         <source>of the machine's bodies those that move against each other stay out of each other, and out of part and fixtures as far as these are known, but for neighbours that touch with all axes at zero: {names}</source>
         <translation>von den Körpern der Maschine bleiben die, die sich gegeneinander bewegen, auseinander und aus Werkstück und Spannmitteln, soweit diese bekannt sind; außer Nachbarn, die einander berühren, wenn alle Achsen auf null stehen: {names}</translation>
+    </message>
+    <message>
+        <source>of what stays so much is tighter than the cutter</source>
+        <translation>von dem, was stehen bleibt, ist so viel enger als der Fräser</translation>
     </message>
     <message>
         <source>on every pass</source>
@@ -9344,6 +9360,10 @@
         <translation>{lost} tragen einander im Kreis; einer davon parent null geben</translation>
     </message>
     <message>
+        <source>{lost} of that are tighter than the cutter: a ball of its size finds no place there that leaves less. On {rest} the ball fits.</source>
+        <translation>{lost} davon sind enger als der Fräser: Eine Kugel seiner Größe findet dort keinen Platz, an dem weniger stehen bleibt. Auf {rest} passt die Kugel.</translation>
+    </message>
+    <message>
         <source>{machine} with {cure}</source>
         <translation>{machine} mit Korrektur {cure}</translation>
     </message>
@@ -9864,8 +9884,20 @@
         <translation>{shard} {given} ist nicht wie 1/4, der erste von vier</translation>
     </message>
     <message>
+        <source>{share} % it missed</source>
+        <translation>{share} % hat es ausgelassen</translation>
+    </message>
+    <message>
         <source>{share} % of the surface to be milled stays unfinished</source>
         <translation>{share} % der zu fräsenden Fläche bleiben unbearbeitet</translation>
+    </message>
+    <message>
+        <source>{share} % the settings leave out</source>
+        <translation>{share} % lassen die Einstellungen aus</translation>
+    </message>
+    <message>
+        <source>{share} % the tool cannot reach ({why})</source>
+        <translation>{share} % erreicht das Werkzeug nicht ({why})</translation>
     </message>
     <message>
         <source>{shown} is {what}, no NC line; it is passed over. A control may refuse it: delete it.</source>

@@ -10,7 +10,7 @@ from gouge_examples import prism, step
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import report_finding
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
-from freecad_fiveaxis.core.gouge import RestMaterial, uncut_finding
+from freecad_fiveaxis.core.gouge import RestMaterial, report_uncut
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.too_tight import find_ball, find_too_tight
 from freecad_fiveaxis.core.pipeline import job
@@ -44,8 +44,8 @@ def test_the_parts_are_those_of_the_findings_and_make_up_the_whole():
 def test_the_verdict_names_what_the_tool_cannot_reach_and_why():
     parts = divided(facets_without_free_axis=100.0, facets_beyond_axis_angle=35.0, uncut=80.0, uncut_too_tight=40.0)  # fmt: skip
     assert name_unfinished(parts.whole, parts) == (
-        "29 % of the surface to be milled stays unfinished: 19 % the tool cannot reach (no free axis, too "
-        "tight for the cutter), 4.8 % the settings leave out, 5.4 % it missed"
+        "29 % of the surface to be milled stays unfinished: 19 % the tool cannot reach (no free axis, "
+        "tighter than the cutter), 4.8 % the settings leave out, 5.4 % it missed"
     )
     alone = divided(facets_beyond_machine=200.0)
     assert name_unfinished(alone.whole, alone).endswith(
@@ -77,7 +77,7 @@ def test_a_corner_between_two_walls_is_too_tight_for_a_ball_as_far_as_by_hand(ab
 
 
 def test_only_a_ball_is_set_on_the_part():
-    ends = {"ball:8": 4.0, "lollipop:8/4": 4.0, "flat:8": None, "bull:8/1": None}
+    ends = {"ball:8": 4.0, "lollipop:8:4": 4.0, "flat:8": None, "bull:8:1": None}
     assert {name: find_ball(body_of(parse_cutter(name)).only(CUTTER)) for name in ends} == ends
 
 
@@ -88,14 +88,14 @@ def rest_of(part, height, **more):
 
 def test_what_is_too_tight_is_a_note_beside_the_warning_where_part_and_ball_are_known():
     body = body_of(parse_cutter("ball:8")).only(CUTTER)
-    uncut, tight = uncut_finding(rest_of(step(), 0.5, mesh=step(), body=body), 0.05)
+    uncut, tight = report_uncut(rest_of(step(), 0.5, mesh=step(), body=body), 0.05)
     assert (uncut.code, tight.code, tight.severity.name) == ("uncut", "uncut-too-tight", "NOTE")
-    assert 0.0 < tight.value < 0.1 * uncut.value and "too tight for the cutter" in tight.text
-    assert [one.code for one in uncut_finding(rest_of(step(), 0.5), 0.05)] == ["uncut"]
+    assert 0.0 < tight.value < 0.1 * uncut.value and "tighter than the cutter" in tight.text
+    assert [one.code for one in report_uncut(rest_of(step(), 0.5), 0.05)] == ["uncut"]
     flat = rest_of(step(), 0.5, mesh=step(), body=body_of(parse_cutter("flat:8")).only(CUTTER))
-    assert [one.code for one in uncut_finding(flat, 0.05)] == ["uncut"]
+    assert [one.code for one in report_uncut(flat, 0.05)] == ["uncut"]
     open_ = rest_of(BLOCK, 0.5, mesh=BLOCK, body=body)
-    assert [one.code for one in uncut_finding(open_, 0.05)] == ["uncut"]
+    assert [one.code for one in report_uncut(open_, 0.05)] == ["uncut"]
 
 
 def test_a_step_says_how_much_of_what_stays_is_its_inside_corner():
@@ -107,5 +107,5 @@ def test_a_step_says_how_much_of_what_stays_is_its_inside_corner():
     parts = numbers["unfinished_parts"]
     assert sum(parts.values()) == pytest.approx(numbers["unfinished_share"])
     assert parts["out_of_reach"] > 0.0 and parts["left_by_settings"] > 0.0
-    assert "the tool cannot reach (too tight for the cutter)" in verdict(figures, numbers).text
+    assert "the tool cannot reach (tighter than the cutter)" in verdict(figures, numbers).text
     assert f"(out of reach {100.0 * parts['out_of_reach']:.1f} %" in " ".join(as_text(figures).split())

@@ -346,7 +346,7 @@ class Code(str, Enum):
     RAPID_UNPROVEN = "rapid-unproven", WARNING, "mm", "a rapid may enter the part on some way of the axes"
     TABLE_COLLISION = "table-collision", ERROR, "mm", "the tool goes below the machine's table"
     UNCUT = "uncut", WARNING, "mm2", "more than the scallop stays"
-    UNCUT_TOO_TIGHT = "uncut-too-tight", NOTE, "mm2", "of what stays so much is too tight for the cutter"
+    UNCUT_TOO_TIGHT = "uncut-too-tight", NOTE, "mm2", "of what stays so much is tighter than the cutter"
     ADVICE = "advice", NOTE, "mm2", "what another setting would finish"
 
     # ------------------------------------------------------------------------------ NC programs that are read

@@ -9,6 +9,7 @@ from .rest_material import RestMaterial, find_rest_material, too_deep_finding, u
 from .search import Entries, find_entries, which_enter
 from .spots import spots
 from .swept_motion import SweptMotion, real_motion, still_positions, straight_motion
+from .too_tight import report_uncut
 
 __all__ = [
     "CURES",
@@ -29,6 +30,7 @@ __all__ = [
     "outline",
     "program_motion",
     "real_motion",
+    "report_uncut",
     "spots",
     "still_positions",
     "straight_motion",

@@ -34,7 +34,6 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, Piece, distance_off
 
 from .swept_motion import Poses, SweptMotion
-from .too_tight import report_too_tight
 
 NEAREST = 12
 """Sampled poses that are looked at for each point, at least."""
@@ -339,8 +338,7 @@ def _height(body: Body, pose: Poses, place: Floats) -> Floats:
 
 
 def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
-    """Return a finding where more than ``above`` mm is left somewhere: area, largest height and its place;
-    and one for how much of it is too tight for the cutter, where that is known."""
+    """Return a finding where more than ``above`` mm is left somewhere: area, largest height and its place."""
     area, volume = remainder.uncut(above)
     if area == 0.0:
         return ()
@@ -355,12 +353,7 @@ def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
         height=Length(remainder.height[worst], ".4g"),
         volume=Volume(volume, ".4g"),
     )
-    found = report_finding(Code.UNCUT, text, area, 0.0, place=(x, y, z), unit="mm2")
-    if remainder.mesh is None or remainder.body is None:
-        return (found,)
-    rows = np.flatnonzero(remainder.height > above)
-    point, facet, part = remainder.point[rows], remainder.facet[rows], remainder.area[rows]
-    return (found, *report_too_tight(remainder.mesh, remainder.body, point, facet, part, above))
+    return (report_finding(Code.UNCUT, text, area, 0.0, place=(x, y, z), unit="mm2"),)
 
 
 def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:

@@ -13,12 +13,12 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
-from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, round_piece
 
+from .rest_material import RestMaterial, uncut_finding
 from .search import find_entries
 from .swept_motion import still_positions
 
@@ -55,20 +55,26 @@ def find_too_tight(tree: FacetTree, radius: float, point: Floats, normal: Floats
     return tight
 
 
-def report_too_tight(
-    mesh: Mesh, body: Body, point: Floats, facet: Ints, area: Floats, above: float
-) -> tuple[Finding, ...]:
-    """Say how much of the surface that stays uncut, places (n, 3) mm of facets (n,) that stand for ``area``
-    (n,) mm2 each, is too tight for the ball; nothing where the cutter has no ball at its end."""
-    radius = find_ball(body)
-    if radius is None:
+def report_uncut(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
+    """Say where more than ``above`` mm is left, and of a cutter with a ball at its end how much of that is
+    too tight for it."""
+    return (*uncut_finding(remainder, above), *report_too_tight(remainder, above))
+
+
+def report_too_tight(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
+    """Say how much of the surface on which more than ``above`` mm is left is too tight for the ball; nothing
+    where the cutter has none at its end, or part and cutter are not known."""
+    mesh, rows = remainder.mesh, np.flatnonzero(remainder.height > above)
+    radius = None if remainder.body is None else find_ball(remainder.body)
+    if mesh is None or radius is None:
         return ()
-    tight = find_too_tight(facet_tree(mesh), radius, point, mesh.normal[facet], above)
+    normal, area = mesh.normal[remainder.facet[rows]], remainder.area[rows]
+    tight = find_too_tight(facet_tree(mesh), radius, remainder.point[rows], normal, above)
     lost = float(area[tight].sum())
     if not lost:
         return ()
     text = say(
-        "{lost} of that are too tight for the cutter: a ball of its size finds no place there that leaves "
+        "{lost} of that are tighter than the cutter: a ball of its size finds no place there that leaves "
         "less. On {rest} the ball fits.",
         lost=Area(lost, ".4g"),
         rest=Area(float(area[~tight].sum()), ".4g"),

@@ -26,9 +26,9 @@ from freecad_fiveaxis.core.gouge import (
     check_program,
     find_rest_material,
     program_motion,
+    report_uncut,
     straight_motion,
     too_deep_finding,
-    uncut_finding,
 )
 from freecad_fiveaxis.core.gouge.table_check import check_table
 from freecad_fiveaxis.core.motion.program import Program
@@ -97,7 +97,7 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     rest = find_rest_material(
         mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within
     )
-    return uncut_finding(rest, above)
+    return report_uncut(rest, above)
 
 
 def compute_allowed_rest(settings: Settings, mesh: Mesh, keep: Bools) -> float:
@@ -245,4 +245,4 @@ def rest_material_findings(rest: RestMaterial | None, context: MillContext) -> t
         return ()
     settings = context.settings
     deep = too_deep_finding(rest, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
-    return uncut_finding(rest, compute_allowed_rest(settings, context.mesh, context.keep)) + deep
+    return report_uncut(rest, compute_allowed_rest(settings, context.mesh, context.keep)) + deep

@@ -138,13 +138,13 @@ def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
         ("length of links, of rapids", f"{numbers['link_length']:.1f} mm, {numbers['rapid_length']:.1f} mm"),
         ("time", f"{duration(numbers['time_s'])} ({_shares(numbers['time_shares'])})"),
         ("rotary travel", turned),
-        *_unfinished(numbers),
+        *_name_unfinished(numbers),
         *audit_facts(numbers),
         *part_facts(numbers),
     ]
 
 
-def _unfinished(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
+def _name_unfinished(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Return the share that stays unfinished, and what of it is out of reach, left by the settings, missed;
     nothing where all is finished or nothing known."""
     parts = numbers.get("unfinished_parts")
@@ -154,8 +154,8 @@ def _unfinished(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
         100.0 * numbers["unfinished_share"],
         (100.0 * one for one in parts.values()),
     )
-    told = f"out of reach {beyond:.1f} %, left by the settings {left:.1f} %, missed {missed:.1f} %"
-    return [("stays unfinished", f"{whole:.1f} % ({told})")]
+    by_why = f"out of reach {beyond:.1f} %, left by the settings {left:.1f} %, missed {missed:.1f} %"
+    return [("stays unfinished", f"{whole:.1f} % ({by_why})")]
 
 
 def _not_measured() -> list[tuple[str, str]]:

@@ -23,7 +23,7 @@ NOTABLE_SHARE = 0.005
 WHY: Mapping[Code, Sentence] = {
     Code.FACETS_BEYOND_MACHINE: say("beyond the machine's limits"),
     Code.FACETS_WITHOUT_FREE_AXIS: say("no free axis"),
-    Code.UNCUT_TOO_TIGHT: say("too tight for the cutter"),
+    Code.UNCUT_TOO_TIGHT: say("tighter than the cutter"),
 }
 """The codes of findings on what the tool cannot reach."""
 
