@@ -77,7 +77,7 @@ def test_a_corner_between_two_walls_is_too_tight_for_a_ball_as_far_as_by_hand(ab
 
 
 def test_only_a_ball_is_set_on_the_part():
-    ends = {"ball:8": 4.0, "lollipop:8:4": 4.0, "flat:8": None, "bull:8:1": None}
+    ends = {"ball:8": 4.0, "lollipop:8:4": 4.0, "flat:8": None, "bull:8:1": None, "barrel:10:85:2": None}
     assert {name: find_ball(body_of(parse_cutter(name)).only(CUTTER)) for name in ends} == ends
 
 

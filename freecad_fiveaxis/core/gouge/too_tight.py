@@ -32,7 +32,7 @@ ENTERS = 0.1
 def find_ball(body: Body) -> float | None:
     """Return the radius, mm, of the ball at the end of a cutter; None where it has another end."""
     lowest = min(body.pieces, key=lambda piece: piece.low - piece.round)
-    round_ = lowest.low_radius == lowest.high_radius == lowest.bulge == 0.0
+    round_ = lowest.low_radius == lowest.high_radius == 0.0
     return lowest.round if round_ else None
 
 
