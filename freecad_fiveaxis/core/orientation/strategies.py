@@ -25,7 +25,8 @@ from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.base.vectors import away_from
+from freecad_fiveaxis.core.base.vectors import away_from, row_dot
+from freecad_fiveaxis.core.toolpath.cl_offset import seat_normal
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from freecad_fiveaxis.core.toolpath.feed_direction import (
     OPPOSED,
@@ -42,7 +43,7 @@ UPPER = (1e-6, 1e-7, 1.0)
 """What is up; of sides that are level the one towards +X, then +Y, so that passes in either sense lean to the
 same one."""
 
-FOLLOWING = ("facet_mean", "step_weighted")
+FOLLOWING = ("facet_mean", "face_normal", "step_weighted")
 """Strategies whose axes are the surface's normals, on which a barrel has to lean."""
 
 
@@ -50,7 +51,7 @@ FOLLOWING = ("facet_mean", "step_weighted")
 class AxisOptions:
     """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad;
     ``through``, mm, and ``about``, any length: the axis that the strategy ``from_axis`` points at;
-    ``upwards``: the tilt may be to the left instead, for a whole pass, where the axis is more upright so."""
+    ``ring``, mm: of the cutter (its radius less its corner's); ``upwards``: the tilt may be to the left instead, for a whole pass, where the axis is more upright so."""
 
     fixed: Vector = (0.0, 0.0, 1.0)
     lead: float = 0.0
@@ -58,6 +59,7 @@ class AxisOptions:
     through: Vector = (0.0, 0.0, 0.0)
     about: Vector = (0.0, 0.0, 1.0)
     upwards: bool = False
+    ring: float = 0.0
 
 
 def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
@@ -101,6 +103,20 @@ def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
         axis[rows] = unit_or(path.before[rows] + path.after[rows], path.normal[rows])
 
     in_threads(fill, chunks(len(axis)))
+    return axis
+
+
+def face_normal(path: OffsetPath, options: AxisOptions) -> Floats:
+    """the normal of the face, up to its edges: over a sharp edge the tool turns while its contact stays there
+
+    Smooth co-edges, which approximate one surface, and inside corners: as facet_mean. So a level bottom lies on
+    plane faces from edge to edge, and passes may be as far apart as it is wide.
+    """
+    axis = facet_mean(path, options)
+    if not len(axis):
+        return axis
+    over = np.flatnonzero(row_dot(path.after - path.before, feed_direction(path, axis)) > 0.0)
+    axis[over] = seat_normal(path, options.ring)[over]
     return axis
 
 
@@ -180,6 +196,7 @@ Strategy = Callable[[OffsetPath, AxisOptions], Floats]
 
 STRATEGIES: dict[str, Strategy] = {
     "facet_mean": facet_mean,
+    "face_normal": face_normal,
     "step_weighted": step_weighted,
     "minimax": minimax,
     "auto": auto,

@@ -65,6 +65,10 @@ GAP = 1.45
 """Half steps from the nearest pass from which a place counts as left out: twice the scallop stays there. Less
 would lay a short pass, with a retract of its own, into every corner of every pass."""
 
+OVERLAP = 1.1
+"""Half steps that what is wide and steep at its rim, the bottom of an end mill, covers at least: beyond it
+nothing is cut, however little the step leaves between two passes."""
+
 AMPLE = 1.001
 """Times the distance from which any place counts as left out: passes beyond it are not looked for."""
 
@@ -182,12 +186,14 @@ class Ground(NamedTuple):
 
 
 class Surface(NamedTuple):
-    """The finer copy of the region, its frames and its metric, and the step on a flat, mm."""
+    """The finer copy of the region, its frames and its metric, the step on a flat, mm, and the half steps
+    from the nearest pass from which a place counts as left out."""
 
     copy: Copy
     frame: Frames
     metric: Floats
     flat: float
+    reach: float = GAP
 
 
 def survey_region(region: Region, options: PassOptions) -> Ground:
@@ -229,9 +235,9 @@ def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(region.mesh.face), -1)
     place[ground.rows] = np.arange(len(ground.rows))
     tensor = ground.tensor[:, place[copy.parent]]
-    return Surface(
-        copy, frame, scallop_metric(frame, tensor, region.radius, ground.flat, ground.least), ground.flat
-    )
+    metric = scallop_metric(frame, tensor, region.radius, ground.flat, ground.least)
+    reach = GAP if region.covered is None else min(GAP, 2.0 * region.covered / ground.flat)
+    return Surface(copy, frame, metric, ground.flat, reach)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
@@ -239,7 +245,10 @@ def _flat_step(region: Region, options: PassOptions) -> float:
         return options.stepover
     assert options.scallop is not None
     refuse_high_scallop(options.scallop, region.radius)
-    return max(flat_interval(region.radius, AIM * options.scallop), options.least)
+    flat = flat_interval(region.radius, AIM * options.scallop)
+    if region.covered is not None:
+        flat = min(flat, 2.0 * region.covered / OVERLAP)
+    return max(flat, options.least)
 
 
 def _touching(face: Ints, chosen: Bools) -> Bools:
@@ -288,7 +297,7 @@ def _gaps(
     facing = FACING * surface.flat
     samples = np.concatenate([near, facing * normal], axis=1)
     left = _find_left_out(
-        mesh, samples, facing * mesh.normal, GAP * 0.5 * across, lambda share: tell(0.5 + 0.5 * share)
+        mesh, samples, facing * mesh.normal, surface.reach * 0.5 * across, lambda share: tell(0.5 + 0.5 * share)
     )
     return _touching(mesh.face, left)
 

@@ -134,11 +134,18 @@ def find_region(
     if scallop is None or cutter.touches_as_ball:
         return Region(mesh, keep, radius, interval, progress=progress, frames=frames)
     stands = [(settings.tool_axis.tool_axis, axis_options(settings))] if frames is None else stands_in(frames)
-    radii = [
-        spacing_radius(cutter, mesh, keep, angle, *stand, scallop)
-        for angle in travels(settings)
-        for stand in stands
-    ]
+
+    def find_radius(height: float) -> float:
+        """Return the radius of the ball that leaves ``height`` mm at the same step, where that is least."""
+        return min(
+            spacing_radius(cutter, mesh, keep, angle, *stand, height)
+            for angle in travels(settings)
+            for stand in stands
+        )
+
+    radius = find_radius(scallop)
     if cutter.barrel is not None:
-        interval = flat_interval(min(radii), min(scallop, 0.5 * min(radii)))
-    return Region(mesh, keep, min(radii), interval, 1.0, progress, frames)
+        interval = flat_interval(radius, min(scallop, 0.5 * radius))
+    twice = 2.0 * scallop
+    covered = 0.5 * flat_interval(find_radius(twice), twice)
+    return Region(mesh, keep, radius, interval, 1.0, progress, frames, covered)

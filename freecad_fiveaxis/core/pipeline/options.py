@@ -147,7 +147,7 @@ def axis_options(settings: Settings) -> AxisOptions:
     through = (0.0, 0.0, 0.0) if isinstance(centre, str) else centre
     if barrel is not None and tool.lead == tool.tilt == 0.0 and tool.tool_axis in FOLLOWING:
         return AxisOptions(tool.axis, 0.0, barrel.middle, through, about, upwards=True)
-    return AxisOptions(tool.axis, tool.lead, tool.tilt, through, about)
+    return AxisOptions(tool.axis, tool.lead, tool.tilt, through, about, ring=settings.cutter.cutter.ring)
 
 
 def axis_corrections(context: MillContext) -> AxisCorrectionOptions:

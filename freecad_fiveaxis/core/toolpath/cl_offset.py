@@ -47,6 +47,9 @@ surface. It is half of what such facets leave the surface behind them by, at mos
 ONE_HUB_MM = 2.0 * SHARP
 """mm; hubs nearer than this, under one axis, are one place."""
 
+SQUARE = 1e-9
+"""Between unit vectors that are one but for rounding."""
+
 NOTABLE = 0.01
 """mm of a heel in the part before it is worth a finding: a usual finishing tolerance."""
 
@@ -69,9 +72,18 @@ def hub_positions(path: OffsetPath, axis: Floats, ring: float, barrel: Flank | N
         return np.asarray(path.centre + barrel.hub_shift(seat_normal(path, ring, barrel), axis))
     if ring == 0.0 or not len(axis):
         return path.centre
-    return np.asarray(
-        path.centre + ring * ring_direction(seat_normal(path, ring), axis, feed_direction(path, axis), ring)
-    )
+    out = ring_direction(seat_normal(path, ring), axis, feed_direction(path, axis), ring)
+    out[turns_over_edge(path, axis)] = 0.0
+    return np.asarray(path.centre + ring * out)
+
+
+def turns_over_edge(path: OffsetPath, axis: Floats) -> Bools:
+    """Find the rows (n,) at which the tool turns over an edge, its bottom square on it all the while: it
+    turns about its middle, which then has swept both faces up to the edge."""
+    square = np.abs(axis - path.normal).max(axis=1, initial=0.0) < SQUARE
+    turned = np.abs(np.diff(axis, axis=0, prepend=axis[:1])).max(axis=1) > SQUARE
+    arrives = path.fill & turned & square & np.append(False, square[:-1])
+    return np.asarray(arrives | np.append(arrives[1:], False))
 
 
 def seat_normal(path: OffsetPath, ring: float, barrel: Flank | None = None) -> Floats:
@@ -133,12 +145,12 @@ def _divide_turns(
     The bottom's lowest point, or the flank's contact, moves on a circle of at most its distance from the hub
     while that goes straight: over a turn a the two part by at most ``distance a^2 / 8``.
     """
-    cuts = ~path.fill & (np.diff(path.polyline, prepend=-1) == 0)
+    moves = np.diff(path.polyline, prepend=-1) == 0
     turn = 2.0 * np.arcsin(
         np.clip(0.5 * np.linalg.norm(np.diff(axis, axis=0, prepend=axis[:1]), axis=1), 0.0, 1.0)
     )
     widest = np.sqrt(8.0 * tolerance / cutter.contact_reach)
-    pieces = np.where(cuts, np.clip(np.ceil(turn / widest), 1, MOST_PIECES), 1).astype(np.int64)
+    pieces = np.where(moves, np.clip(np.ceil(turn / widest), 1, MOST_PIECES), 1).astype(np.int64)
     if (pieces == 1).all():
         return path, axis
     return rows_between(path, axis, pieces, cutter.ring, cutter.barrel)[:2]
