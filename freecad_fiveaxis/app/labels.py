@@ -262,6 +262,7 @@ def _choices() -> dict[str, str]:
         "frames": translate("FiveAxis", "frames with locked rotary axes (3+2)"),
         "zlevel": translate("FiveAxis", "level planes"),
         "facet_mean": translate("FiveAxis", "surface normal"),
+        "face_normal": translate("FiveAxis", "face normal, turning at edges"),
         "step_weighted": translate("FiveAxis", "normal weighted by step"),
         "minimax": translate("FiveAxis", "least deviation (minimax)"),
         "auto": translate("FiveAxis", "free of the part (auto)"),
@@ -313,6 +314,11 @@ def _choice_hints() -> dict[tuple[str, str], str]:
     return _of_safety() | {
         ("tool_axis", "facet_mean"): translate(
             "FiveAxis", "The tool stands normal to the surface, leaned by lead and tilt."
+        ),
+        ("tool_axis", "face_normal"): translate(
+            "FiveAxis",
+            "The tool stands normal to each face up to its edges and turns over a sharp edge on the spot: a "
+            "level bottom finishes plane faces.",
         ),
         ("tool_axis", "step_weighted"): translate(
             "FiveAxis", "Between two facets the axis turns evenly over the steps on either side (Lin and Ye)."

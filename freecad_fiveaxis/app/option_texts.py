@@ -238,9 +238,10 @@ EDITOR = {
     ),
     "tool_axis": QT_TRANSLATE_NOOP(
         "App::Property",
-        "How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: "
-        "normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis "
-        "everywhere; from_axis: square to the rotary axis and pointing at it",
+        "How the tool axis is found at each contact point. facet_mean: surface normal; face_normal: "
+        "normal to each face, turning at its edges; step_weighted: normal weighted by the step; "
+        "minimax: least deviation; auto: free of the part; fixed: one axis everywhere; from_axis: square to "
+        "the rotary axis and pointing at it",
     ),
     "order": QT_TRANSLATE_NOOP(
         "App::Property", "Cut pattern. zigzag: in both directions; one_way: in one direction only"

@@ -544,8 +544,8 @@
         <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird</translation>
     </message>
     <message>
-        <source>How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere; from_axis: square to the rotary axis and pointing at it</source>
-        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird. facet_mean: Flächennormale; step_weighted: nach Schrittlänge gewichtete Normale; minimax: kleinste Abweichung; auto: frei vom Werkstück; fixed: überall eine Achse; from_axis: senkrecht zur Drehachse und auf sie gerichtet</translation>
+        <source>How the tool axis is found at each contact point. facet_mean: surface normal; face_normal: normal to each face, turning at its edges; step_weighted: normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere; from_axis: square to the rotary axis and pointing at it</source>
+        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird. facet_mean: Flächennormale; face_normal: senkrecht zu jeder Fläche, an ihren Kanten gedreht; step_weighted: nach Schrittlänge gewichtete Normale; minimax: kleinste Abweichung; auto: frei vom Werkstück; fixed: überall eine Achse; from_axis: senkrecht zur Drehachse und auf sie gerichtet</translation>
     </message>
     <message>
         <source>How the tool goes from one pass to the next: near the part where it is free, or over it</source>
@@ -3231,6 +3231,10 @@
         <translation>Der Werkzeugweg wurde inzwischen gelöscht: dieses Fenster schließen.</translation>
     </message>
     <message>
+        <source>The tool stands normal to each face up to its edges and turns over a sharp edge on the spot: a level bottom finishes plane faces.</source>
+        <translation>Das Werkzeug steht bis an die Kanten senkrecht auf jeder Fläche und dreht sich an einer scharfen Kante auf der Stelle: Ein flacher Boden schlichtet ebene Flächen fertig.</translation>
+    </message>
+    <message>
         <source>The tool stands normal to the surface, leaned by lead and tilt.</source>
         <translation>Das Werkzeug steht senkrecht zur Fläche, geneigt um Voreil- und Seitwinkel.</translation>
     </message>
@@ -3789,6 +3793,10 @@
     <message>
         <source>exact</source>
         <translation>genau</translation>
+    </message>
+    <message>
+        <source>face normal, turning at edges</source>
+        <translation>Flächennormale, an Kanten gedreht</translation>
     </message>
     <message>
         <source>fitting machines</source>

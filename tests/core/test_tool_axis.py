@@ -59,7 +59,7 @@ def test_equal_steps_give_the_conventional_axis():
     np.testing.assert_allclose(plain("step_weighted", path), plain("facet_mean", path), atol=1e-14)
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@pytest.mark.parametrize("strategy", [name for name in STRATEGIES if name != "face_normal"])
 @pytest.mark.parametrize("options", [{}, {"lead": 0.2, "tilt": -0.1}])
 def test_all_rows_of_one_contact_point_share_the_axis(strategy, options):
     path = offset(UNEVEN, skew=(0.2, 1, 0.1))

@@ -11,7 +11,7 @@ tilt       how far the tool leans sideways: a positive tilt turns the axis right
 
 A strategy is one function and one line in STRATEGIES; lead and tilt go on top of any. All rows of one contact
 point have the same facet normals on either side, so they get the same axis: the tool does not turn while it
-closes a gap at a co-edge.
+closes a gap at a co-edge. Only ``face_normal`` turns it there, over edges that are sharp.
 """
 
 from __future__ import annotations
@@ -51,7 +51,8 @@ FOLLOWING = ("facet_mean", "face_normal", "step_weighted")
 class AxisOptions:
     """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad;
     ``through``, mm, and ``about``, any length: the axis that the strategy ``from_axis`` points at;
-    ``ring``, mm: of the cutter (its radius less its corner's); ``upwards``: the tilt may be to the left instead, for a whole pass, where the axis is more upright so."""
+    ``upwards``: the tilt may be to the left instead, for a whole pass, where the axis is more upright so;
+    ``ring``, mm: the cutter's radius less that of its corner."""
 
     fixed: Vector = (0.0, 0.0, 1.0)
     lead: float = 0.0
@@ -109,8 +110,8 @@ def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
 def face_normal(path: OffsetPath, options: AxisOptions) -> Floats:
     """the normal of the face, up to its edges: over a sharp edge the tool turns while its contact stays there
 
-    Smooth co-edges, which approximate one surface, and inside corners: as facet_mean. So a level bottom lies on
-    plane faces from edge to edge, and passes may be as far apart as it is wide.
+    Smooth co-edges, which approximate one surface, and inside corners: as facet_mean. So a level bottom lies
+    on plane faces from edge to edge, and passes may be as far apart as it is wide.
     """
     axis = facet_mean(path, options)
     if not len(axis):
@@ -196,12 +197,12 @@ Strategy = Callable[[OffsetPath, AxisOptions], Floats]
 
 STRATEGIES: dict[str, Strategy] = {
     "facet_mean": facet_mean,
-    "face_normal": face_normal,
     "step_weighted": step_weighted,
     "minimax": minimax,
     "auto": auto,
     "fixed": fixed,
     "from_axis": from_axis,
+    "face_normal": face_normal,
 }
 
 

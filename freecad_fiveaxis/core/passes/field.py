@@ -61,8 +61,9 @@ class PassOptions:
 class Region:
     """``mesh``; ``keep`` (f,) the facets to cut; ``radius`` mm of the ball whose passes may stand as far
     apart as the cutter's, at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm
-    of a flat. ``covered`` mm: so far from a pass no more than twice the scallop stays on a flat, None: as far as
-    that ball leaves it. ``frames``: what sees which of them, for passes that are cut with locked rotary axes."""
+    of a flat. ``covered`` mm: so far from a pass no more than twice the scallop stays on a flat, None: as far
+    as that ball leaves it. ``frames``: what sees which of them, for passes that are cut with locked rotary
+    axes."""
 
     mesh: Mesh
     keep: Bools

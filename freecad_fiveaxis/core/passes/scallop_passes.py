@@ -297,7 +297,11 @@ def _gaps(
     facing = FACING * surface.flat
     samples = np.concatenate([near, facing * normal], axis=1)
     left = _find_left_out(
-        mesh, samples, facing * mesh.normal, surface.reach * 0.5 * across, lambda share: tell(0.5 + 0.5 * share)
+        mesh,
+        samples,
+        facing * mesh.normal,
+        surface.reach * 0.5 * across,
+        lambda share: tell(0.5 + 0.5 * share),
     )
     return _touching(mesh.face, left)
 

@@ -189,7 +189,9 @@ class ToolAxisSettings:
     """How the tool stands at each contact."""
 
     tool_axis: str = option(
-        "auto", "text", "tool-axis strategy (see `strategies`); facet_mean for planes and what is no ball"
+        "auto",
+        "text",
+        "tool-axis strategy (see `strategies`); facet_mean for planes, face_normal for flat and bull cutters",
     )
     axis: Vector = option(
         (0.0, 0.0, 1.0),

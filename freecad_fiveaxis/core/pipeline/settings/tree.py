@@ -165,8 +165,8 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """Return the pass strategy and the tool axis chosen by the other options, where they are not ``given``.
 
     Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on
-    the normals. So do cutters without a ball end: their passes are as far apart as the cutter's bottom is
-    wide there, which a leaned one is not.
+    the normals. So do cutters without a ball end, whose passes are as far apart as the bottom is wide there;
+    a level bottom lies on plane faces up to their edges.
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
@@ -177,10 +177,13 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
         return settings
     if "tool_axis" not in given and settings.passes.passes == ROTARY:
         return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=FROM_AXIS))
+    cutter = settings.cutter.cutter
     if "tool_axis" not in given and (
-        settings.passes.passes not in OVER_SURFACE or not settings.cutter.cutter.touches_as_ball
+        settings.passes.passes not in OVER_SURFACE or not cutter.touches_as_ball
     ):
-        settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
+        level = not cutter.touches_as_ball and cutter.barrel is None
+        strategy = "face_normal" if level else "facet_mean"
+        settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=strategy))
     return settings
 
 
