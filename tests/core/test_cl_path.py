@@ -250,7 +250,11 @@ def test_no_passes_is_said():
     offset = three_passes()
     empty = replace(
         offset,
-        **{name: getattr(offset, name)[:0] for name in offset.__dataclass_fields__ if name != "findings"},
+        **{
+            name: getattr(offset, name)[:0]
+            for name in offset.__dataclass_fields__
+            if name not in ("findings", "middle")
+        },
     )
     with pytest.raises(SettingsError, match="no passes"):
         linked(empty, np.empty((0, 3)))

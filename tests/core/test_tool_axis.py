@@ -142,7 +142,11 @@ def test_a_polyline_does_not_look_at_its_neighbours():
 
 def single(path):
     """The first row of the path alone."""
-    columns = {name: getattr(path, name)[:1] for name in path.__dataclass_fields__ if name != "findings"}
+    columns = {
+        name: getattr(path, name)[:1]
+        for name in path.__dataclass_fields__
+        if name not in ("findings", "middle")
+    }
     return replace(path, **columns)
 
 
@@ -185,5 +189,9 @@ def test_a_step_without_length_halves_the_angle():
 @pytest.mark.parametrize("strategy", STRATEGIES)
 def test_no_rows_give_no_axes(strategy):
     path = offset(UNEVEN)
-    columns = {name: getattr(path, name)[:0] for name in path.__dataclass_fields__ if name != "findings"}
+    columns = {
+        name: getattr(path, name)[:0]
+        for name in path.__dataclass_fields__
+        if name not in ("findings", "middle")
+    }
     assert plain(strategy, replace(path, **columns), lead=0.1, tilt=0.1).shape == (0, 3)

@@ -43,7 +43,10 @@ UPPER = (1e-6, 1e-7, 1.0)
 """What is up; of sides that are level the one towards +X, then +Y, so that passes in either sense lean to the
 same one."""
 
-FOLLOWING = ("facet_mean", "face_normal", "step_weighted")
+FACE_NORMAL = "face_normal"
+"""The strategy whose level bottom stands on its contact with its middle."""
+
+FOLLOWING = ("facet_mean", FACE_NORMAL, "step_weighted")
 """Strategies whose axes are the surface's normals, on which a barrel has to lean."""
 
 
@@ -202,7 +205,7 @@ STRATEGIES: dict[str, Strategy] = {
     "auto": auto,
     "fixed": fixed,
     "from_axis": from_axis,
-    "face_normal": face_normal,
+    FACE_NORMAL: face_normal,
 }
 
 

@@ -186,14 +186,14 @@ class Ground(NamedTuple):
 
 
 class Surface(NamedTuple):
-    """The finer copy of the region, its frames and its metric, the step on a flat, mm, and the half steps
-    from the nearest pass from which a place counts as left out."""
+    """The finer copy of the region, its frames and its metric, the step on a flat, mm, and how far, mm, a
+    place may be from the nearest pass at most."""
 
     copy: Copy
     frame: Frames
     metric: Floats
     flat: float
-    reach: float = GAP
+    covered: float = math.inf
 
 
 def survey_region(region: Region, options: PassOptions) -> Ground:
@@ -236,8 +236,7 @@ def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
     place[ground.rows] = np.arange(len(ground.rows))
     tensor = ground.tensor[:, place[copy.parent]]
     metric = scallop_metric(frame, tensor, region.radius, ground.flat, ground.least)
-    reach = GAP if region.covered is None else min(GAP, 2.0 * region.covered / ground.flat)
-    return Surface(copy, frame, metric, ground.flat, reach)
+    return Surface(copy, frame, metric, ground.flat, region.covered or math.inf)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
@@ -300,7 +299,7 @@ def _gaps(
         mesh,
         samples,
         facing * mesh.normal,
-        surface.reach * 0.5 * across,
+        np.minimum(GAP * 0.5 * across, surface.covered),
         lambda share: tell(0.5 + 0.5 * share),
     )
     return _touching(mesh.face, left)

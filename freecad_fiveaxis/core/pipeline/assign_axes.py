@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.orientation.free_in_frames import by_frame, free_in_f
 from freecad_fiveaxis.core.orientation.free_turns import divide_blocked_turns
 from freecad_fiveaxis.core.orientation.order_with_axes import order_with_axes
 from freecad_fiveaxis.core.orientation.sideways import add_retreats, neck_entering
-from freecad_fiveaxis.core.orientation.strategies import tool_axes
+from freecad_fiveaxis.core.orientation.strategies import FACE_NORMAL, tool_axes
 from freecad_fiveaxis.core.orientation.tilt import tilt_free
 from freecad_fiveaxis.core.passes import turns_within_limits
 from freecad_fiveaxis.core.passes.frames import Frames
@@ -47,6 +47,7 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
     """Give each contact the strategy's tool axis, and leave out the rows that cannot be cut with it."""
     settings, offset, frame, found = context.settings, passes.offset, passes.frame, tuple[Finding, ...]()
     axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
+    offset = replace(offset, middle=settings.tool_axis.tool_axis == FACE_NORMAL)
     if context.frames is not None and frame is not None and len(axis):
         offset, axis, found = select_framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):

@@ -80,9 +80,10 @@ def compute_commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
     )
 
 
-def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
-    """Return what a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked
-    for where the map of rest material tells it."""
+def find_uncut(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
+    """Find what the path leaves on the facets that are cut beyond scallops and tolerance: where a cure left
+    something out, and where passes are as far apart as a bottom is wide only where it lies level. Nothing is
+    looked for where the map of rest material tells it."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
     if settings.gouge.rest == "on":
         return ()

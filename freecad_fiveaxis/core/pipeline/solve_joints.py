@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.tool.body import CUTTER
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .collision_avoidance import compute_commanded_motion, uncut_by_cure
+from .collision_avoidance import compute_commanded_motion, find_uncut
 from .context import MillContext
 from .driving import drive, post_path
 from .options import compute_driven_to_surface, rapids_of, tip_to_driven, tool_body
@@ -106,7 +106,8 @@ def keep_rapids_clear(context: MillContext, solved: SolvedJoints) -> SolvedJoint
 def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
-    uncut = uncut_by_cure(context, solved.path) if solved.cured else ()
+    level = not context.settings.cutter.cutter.touches_as_ball
+    uncut = find_uncut(context, solved.path) if solved.cured or level else ()
     program = post_path(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,

@@ -5,14 +5,15 @@ out       unit vector perpendicular to the axis, from the contact's side of the 
           contact + corner x normal + ring x out. It is the part of the normal across the axis, made unit.
 square    the axis along the normal: every point of a level bottom touches, and out is not defined. There the
           contact is the foremost point of the bottom, out = against the feed, which is the limit of a small
-          positive lead.
+          positive lead. Where a path asks for it, it is the middle of the bottom instead, out = 0
+          (:attr:`~..toolpath.coedge.OffsetPath.middle`).
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 
 SLIP = 5e-5
@@ -29,7 +30,7 @@ def ring_direction(normal: Floats, axis: Floats, feed: Floats, ring: float) -> F
     """
     out = _across(normal, axis)
     sine = np.sqrt(np.einsum("ij,ij->i", out, out))
-    square = np.flatnonzero(2.0 * ring * sine <= SLIP)
+    square = np.flatnonzero(_is_square(sine, ring))
     if len(square):
         back = -_across(feed[square], axis[square])
         lost = np.flatnonzero(np.einsum("ij,ij->i", back, back) <= NO_DIRECTION**2)
@@ -38,6 +39,16 @@ def ring_direction(normal: Floats, axis: Floats, feed: Floats, ring: float) -> F
         out[square], sine[square] = back, np.sqrt(np.einsum("ij,ij->i", back, back))
     out /= sine[:, None]
     return out
+
+
+def stands_square(normal: Floats, axis: Floats, ring: float) -> Bools:
+    """Find where (n,) a bottom with a ring of radius ``ring`` mm and unit ``axis`` (n, 3) lies level on the
+    surface with unit ``normal`` (n, 3)."""
+    return _is_square(np.linalg.norm(_across(normal, axis), axis=1), ring)
+
+
+def _is_square(sine: Floats, ring: float) -> Bools:
+    return np.asarray(2.0 * ring * sine <= SLIP)
 
 
 def _across(vector: Floats, axis: Floats) -> Floats:

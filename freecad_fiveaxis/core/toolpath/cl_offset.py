@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.base.vectors import row_dot, slerp
 from freecad_fiveaxis.core.passes import CREASE
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.barrel import Flank
-from freecad_fiveaxis.core.tool.contact import ring_direction
+from freecad_fiveaxis.core.tool.contact import ring_direction, stands_square
 
 from .coedge import ROW_COLUMNS, OffsetPath
 from .feed_direction import feed_direction
@@ -46,9 +46,6 @@ surface. It is half of what such facets leave the surface behind them by, at mos
 
 ONE_HUB_MM = 2.0 * SHARP
 """mm; hubs nearer than this, under one axis, are one place."""
-
-SQUARE = 1e-9
-"""Between unit vectors that are one but for rounding."""
 
 NOTABLE = 0.01
 """mm of a heel in the part before it is worth a finding: a usual finishing tolerance."""
@@ -72,18 +69,11 @@ def hub_positions(path: OffsetPath, axis: Floats, ring: float, barrel: Flank | N
         return np.asarray(path.centre + barrel.hub_shift(seat_normal(path, ring, barrel), axis))
     if ring == 0.0 or not len(axis):
         return path.centre
-    out = ring_direction(seat_normal(path, ring), axis, feed_direction(path, axis), ring)
-    out[turns_over_edge(path, axis)] = 0.0
+    seat = seat_normal(path, ring)
+    out = ring_direction(seat, axis, feed_direction(path, axis), ring)
+    if path.middle:
+        out[stands_square(seat, axis, ring)] = 0.0
     return np.asarray(path.centre + ring * out)
-
-
-def turns_over_edge(path: OffsetPath, axis: Floats) -> Bools:
-    """Find the rows (n,) at which the tool turns over an edge, its bottom square on it all the while: it
-    turns about its middle, which then has swept both faces up to the edge."""
-    square = np.abs(axis - path.normal).max(axis=1, initial=0.0) < SQUARE
-    turned = np.abs(np.diff(axis, axis=0, prepend=axis[:1])).max(axis=1) > SQUARE
-    arrives = path.fill & turned & square & np.append(False, square[:-1])
-    return np.asarray(arrives | np.append(arrives[1:], False))
 
 
 def seat_normal(path: OffsetPath, ring: float, barrel: Flank | None = None) -> Floats:
@@ -211,7 +201,7 @@ def rows_between(
 
 def keep_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     """Rows (k,) of a path, ascending; its polylines go on over what is left out."""
-    return OffsetPath(**_columns(path, rows), findings=path.findings)
+    return OffsetPath(**_columns(path, rows), middle=path.middle, findings=path.findings)
 
 
 def _with_rows(
@@ -237,7 +227,7 @@ def _with_rows(
         columns[name][new[inside]] = normal[inside]
     columns["coedge"][new[inside]] = -1
     swung[new] = slerp(axis[start], axis[end], share)
-    return OffsetPath(**columns, findings=path.findings), swung
+    return OffsetPath(**columns, middle=path.middle, findings=path.findings), swung
 
 
 # ------------------------------------------------------------------------------------------------ hollows

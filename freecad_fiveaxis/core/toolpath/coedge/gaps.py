@@ -53,7 +53,8 @@ class OffsetPath:
     ``face``, ``coedge``, ``segment``, ``polyline``, ``pass_`` (n,) as in ContactPath; ``fill`` (n,) True
     where the move that arrives here closes a gap and cuts no facet. ``beside`` (b,) rows at which the ball
     also touches a facet that is not cut, ``wall`` (b, 3) that facet's normal: until the tool axes have been
-    held against them.
+    held against them. ``middle``: a bottom that stands square on the surface does so with its middle over the
+    contact, not with its foremost point.
     """
 
     point: Floats
@@ -71,6 +72,7 @@ class OffsetPath:
     fill: Bools
     beside: Ints = field(default_factory=lambda: np.empty(0, np.int64))
     wall: Floats = field(default_factory=lambda: np.empty((0, 3)))
+    middle: bool = field(default=False, kw_only=True)
     findings: tuple[Finding, ...] = ()
 
     def __post_init__(self) -> None:
@@ -98,7 +100,7 @@ def take_path_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
         for name in ("point", "centre", "normal", "before", "after")
     }
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": path.fill[rows] & ~begins}
-    return OffsetPath(**columns, findings=path.findings)
+    return OffsetPath(**columns, middle=path.middle, findings=path.findings)
 
 
 def break_polylines(path: OffsetPath, breaks: Bools) -> OffsetPath:
