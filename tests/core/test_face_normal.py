@@ -136,3 +136,15 @@ def test_the_mean_of_the_normals_would_leave_much_of_them(milled):
     made = milled("flat:6", tool_axis="facet_mean")
     left = find_left(made, 3.0)
     assert np.mean(left > compute_allowed_rest(made.settings, made.mesh, made.keep)) > 0.2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("cutter", ["flat:6", "bull:8:1"])
+def test_on_a_blade_hardly_anything_stays(cutter, parts):
+    """Facets between two passes that the bottom sweeps do not count as left out."""
+    given = {"machine": "trunnion_ac", "cutter": cutter, "scallop": 0.02}
+    made = job.make(build_settings("mill", str(parts / "blade.stl"), given))
+    found = {one.code: one for one in made.findings}
+    assert "side-not-machined" not in found
+    assert "overcut" not in found
+    assert found["uncut"].value < 2e-3 * float(made.mesh.area[made.keep].sum())

@@ -122,8 +122,9 @@ def _without_pass(region: Region, touched: Ints) -> Ints:
     off = scipy.spatial.cKDTree(mesh.vertex[mesh.face[there]].mean(axis=1)).query(
         mesh.vertex[mesh.face[rows]].mean(axis=1)
     )[0]
-    small = mesh.area[rows] < region.interval**2
-    close = beside[mesh.face[rows]].any(axis=1) | (off < BESIDE * region.interval)
+    apart = max(region.interval, 2.0 * (region.covered or 0.0))
+    small = mesh.area[rows] < apart**2
+    close = beside[mesh.face[rows]].any(axis=1) | (off < BESIDE * apart)
     return np.asarray(rows[~(small & close)])
 
 
