@@ -114,15 +114,17 @@ def _radii(
     bend: float,
 ) -> list[Floats]:
     """Return the radii (k,), mm, of the balls that leave the scallop of the cutter, for travel in either
-    sense across the unit ``side`` (n, 3), the tool ``upright`` (n, 3) before it is leaned."""
+    sense across the unit ``side`` (n, 3), the tool ``upright`` (n, 3) before it is leaned. Where that
+    stands along the side, it moves nowhere."""
     radii = []
     for sense in (1.0, -1.0):
         feed = np.cross(side, upright)
-        feed /= sense * np.linalg.norm(feed, axis=1)[:, None]
+        length = np.linalg.norm(feed, axis=1)
+        feed /= sense * np.where(length > UPRIGHT, length, np.inf)[:, None]
         axis = lean_axis(upright, feed, options.lead, options.tilt)
         square = np.linalg.norm(axis - normal, axis=1) < FOREMOST_LEAD
         axis[square] = lean_axis(axis[square], feed[square], FOREMOST_LEAD, 0.0)
-        stands = np.einsum("ij,ij->i", axis, normal) > _least_upright(cutter)
+        stands = (length > UPRIGHT) & (row_dot(axis, normal) > _least_upright(cutter))
         radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
     return radii
 
