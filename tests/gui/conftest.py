@@ -33,8 +33,8 @@ SETTLED = 15000  # ms until a layout has settled, also on a machine that is busy
 TAKEN = 2000  # ms until what was clicked shows that; then it is clicked once more, where that does no harm
 READY = 20000  # ms until a command, a panel or a button of it is there to be pressed
 # ms between two pictures of the window: Mesa puts all of it together on the processor, whatever little
-# changed
-FRAME = 200
+# changed. Who looks at the screen has it painted before (_shoot)
+FRAME = 500
 
 
 def _pump(ms=100):
@@ -81,6 +81,8 @@ def _shoot(name):
     """The screen as far as windows reach on it, from its top left on, as a PNG, packed quickly; its path.
     (The X server's picture: a widget's grab() would leave the 3D view blank.)"""
     _pump(300)
+    for one in _frames:
+        one.show()
     path = os.path.join(_out(), f"{name}.png")
     screen, end = QtGui.QGuiApplication.primaryScreen(), QtCore.QRect(*SMALL)
     for widget in QtWidgets.QApplication.topLevelWidgets():
@@ -286,6 +288,14 @@ class _Frames(QtCore.QObject):
     def _ask(self):
         QtCore.QCoreApplication.postEvent(self._window, QtCore.QEvent(QtCore.QEvent.UpdateRequest))
 
+    def show(self):
+        """Paint now what has changed since the last picture, and let the server show it."""
+        if self._timer.isActive():
+            self._timer.stop()
+            self._last = 0.0
+            self._ask()
+            _pump(50)
+
     def eventFilter(self, window, event):
         """Qt calls this before an event arrives at the window."""
         if event.type() != QtCore.QEvent.UpdateRequest:
@@ -321,7 +331,7 @@ def frames(window):
 @pytest.fixture(scope="session")
 def window():
     """FreeCAD's main window with tree and task panel shown and the workbench active. It is as small as most
-    tests need, and painted five times a second: each change of any widget paints all of it, on the processor.
+    tests need, and painted twice a second: each change of any widget paints all of it, on the processor.
 
     The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks.
     It has no cube to turn it by: FreeCAD paints that anew for every view, in most of the time that a new
@@ -331,6 +341,7 @@ def window():
     view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
     view.SetBool("UseNavigationAnimations", False)
     view.SetBool("ShowNaviCube", False)
+    QtWidgets.QApplication.setCursorFlashTime(0)  # a cursor that blinks has the whole window painted
     main.setGeometry(*SMALL)
     for dock in main.findChildren(QtWidgets.QDockWidget):
         if dock.objectName() in ("Combo View", "Model", "Tasks"):
