@@ -2,6 +2,7 @@
 """Tool and spindle against bodies of the machine: by dense samples of the joints' way, with turns of their
 own, and by closed forms."""
 
+import functools
 import json
 import math
 from dataclasses import replace
@@ -53,28 +54,42 @@ def checked(machine, words, tolerance=0.01, part=None, length=LENGTH, motion=Non
     return check_machine(given, program_of(machine, words, motion), part, tolerance)
 
 
+EYE = np.eye(4)
+EYE.setflags(write=False)
+
+
 def frames(machine, q):
     """Of each axis the place (4, 4) that it carries in the machine frame at joints ``q`` (letter: mm or deg),
     and that of the tool.
 
     From the base outwards; a table's axis moves what it carries the other way."""
-    place, found = np.eye(4), {"base": np.eye(4)}
-    for axis in [one for one in machine.fitted[::-1] if one.side == "table"]:
+    fitted = machine.fitted
+    place, found = EYE, {"base": EYE}
+    for axis in [one for one in fitted[::-1] if one.side == "table"]:
         place = place @ moved(axis, -q[axis.letter])
         found[axis.letter] = place
-    place = np.eye(4)
-    for axis in [one for one in machine.fitted if one.side == "head"]:
+    place = EYE
+    for axis in [one for one in fitted if one.side == "head"]:
         place = place @ moved(axis, q[axis.letter])
     return found, place
 
 
 def moved(axis, by):
-    found = np.eye(4)
     if axis.rotary:
-        turn = Rotation.from_rotvec(math.radians(by) * np.array(axis.direction)).as_matrix()
-        found[:3, :3], found[:3, 3] = turn, np.array(axis.point) - turn @ axis.point
-    else:
-        found[:3, 3] = by * np.array(axis.direction)
+        return turned(tuple(axis.direction), tuple(axis.point), float(by))
+    found = EYE.copy()
+    found[:3, 3] = by * np.array(axis.direction)
+    return found
+
+
+@functools.lru_cache(maxsize=256)
+def turned(direction, point, by):
+    """The turn (4, 4) by so many degrees about a line; the same for all places of the linear axes, so it is
+    kept, and nobody may change it."""
+    found = EYE.copy()
+    turn = Rotation.from_rotvec(math.radians(by) * np.array(direction)).as_matrix()
+    found[:3, :3], found[:3, 3] = turn, np.array(point) - turn @ point
+    found.setflags(write=False)
     return found
 
 
