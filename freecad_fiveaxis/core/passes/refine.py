@@ -48,7 +48,7 @@ class Copy:
     def on_part(self, contact: ContactPath, part: Mesh) -> ContactPath:
         """Return the contact path with facets and co-edges of the part; one segment where it is straight
         within ``bend`` in a facet."""
-        contact = _longer(contact, self.short)
+        contact = drop_short(contact, self.short)
         face = self.parent[contact.face]
         first = _straight_runs(contact, face[::2], self.bend)
         last = np.append(first[1:], len(face) // 2)[: len(first)] - 1
@@ -61,7 +61,7 @@ class Copy:
         )  # fmt: skip
 
 
-def _longer(contact: ContactPath, short: float) -> ContactPath:
+def drop_short(contact: ContactPath, short: float) -> ContactPath:
     """Return the polylines that are not shorter than ``short`` mm; all of a part so small that there are
     none."""
     segment = np.linalg.norm(contact.point[1::2] - contact.point[::2], axis=1)

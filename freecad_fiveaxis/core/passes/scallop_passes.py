@@ -31,7 +31,7 @@ from .contact_path import slice_field
 from .field import ALL_ROUND, PassField, PassOptions, Region
 from .geodesic import FLATTEST, Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
 from .planes import area_left
-from .refine import Copy, finer_copy, join_copies, take_facets
+from .refine import Copy, drop_short, finer_copy, join_copies, take_facets
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop
 from .sources import find_source, source_values
 
@@ -282,7 +282,7 @@ def _gaps(
 ) -> Bools:
     """Facets (f,) of the copy that hold a place left out, and those that have a vertex in common with one."""
     mesh = surface.copy.mesh
-    contact = slice_field(mesh, main.value, main.levels)
+    contact = drop_short(slice_field(mesh, main.value, main.levels), surface.copy.short)
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
     tell(0.1)
     near, normal = _sample_segments(
