@@ -258,3 +258,22 @@ def test_the_editor_shows_feeds_in_mm_per_minute(doc, dome, pump, select, screen
     screenshot("feed_editor")
     path.FeedPerMinute = 900.0
     assert FreeCAD.Units.Quantity(path.Feed).getValueAs("mm/min").Value == pytest.approx(900.0)
+
+
+def test_a_flat_cutter_finishes_a_block_with_what_the_panel_offers(
+    block, field, choose, type_into, until, pump, screenshot
+):
+    """Only cutter and stepover are chosen: the tool axis follows, and the whole block is finished."""
+    panel = toolpath.create(block)
+    pump(300)
+    choose(field("cutter_kind"), "flat end mill")
+    until(lambda: panel.options.options()["tool_axis"] == "face_normal", 20000, "face_normal")
+    panel.options.show_options({"cutter": "flat:16", "stepover": 10.0, "spindle": 6000, "tool_length": 120.0})
+    pump(300)
+    screenshot("flat_panel")
+    assert panel.calculate()
+    pump(path_panel.DRAWN + 500)
+    screenshot("flat_block")
+    codes = {line.split(":")[0] for line in panel.obj.Findings} if hasattr(panel.obj, "Findings") else set()
+    assert panel.obj.Verdict.startswith("SAFE"), (panel.obj.Verdict, codes)
+    panel.reject()

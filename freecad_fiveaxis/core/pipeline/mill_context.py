@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.orientation.axis_field import MARGIN
 from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field, select_facets
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
 from freecad_fiveaxis.core.orientation.free_in_frames import stands_in
-from freecad_fiveaxis.core.orientation.spacing_radius import spacing_radius
+from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of, spacing_radius
 from freecad_fiveaxis.core.passes import (
     Region,
     facets_around,
@@ -131,7 +131,7 @@ def find_region(
     options, cutter = pass_options(settings), settings.cutter.cutter
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
-    if scallop is None or cutter.touches_as_ball:
+    if cutter.touches_as_ball:
         return Region(mesh, keep, radius, interval, progress=progress, frames=frames)
     stands = [(settings.tool_axis.tool_axis, axis_options(settings))] if frames is None else stands_in(frames)
 
@@ -143,6 +143,15 @@ def find_region(
             for stand in stands
         )
 
+    if scallop is None:
+        assert options.stepover is not None
+        left = max(
+            scallop_of(cutter, mesh, keep, angle, *stand, options.stepover)
+            for angle in travels(settings)
+            for stand in stands
+        )
+        covered = 0.5 * flat_interval(find_radius(2.0 * left), 2.0 * left)
+        return Region(mesh, keep, radius, interval, progress=progress, frames=frames, covered=covered)
     radius = find_radius(scallop)
     if cutter.barrel is not None:
         interval = flat_interval(radius, min(scallop, 0.5 * radius))
