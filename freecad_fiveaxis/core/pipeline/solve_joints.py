@@ -106,8 +106,7 @@ def keep_rapids_clear(context: MillContext, solved: SolvedJoints) -> SolvedJoint
 def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
-    cutter = context.settings.cutter.cutter
-    level = not cutter.touches_as_ball and cutter.barrel is None
+    level = context.settings.cutter.cutter.has_level_bottom
     uncut = find_uncut(context, solved.path) if solved.cured or level else ()
     program = post_path(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(

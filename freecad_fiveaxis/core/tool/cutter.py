@@ -146,6 +146,11 @@ class Cutter:
         return self.ring == 0.0 and self.flank is None
 
     @property
+    def has_level_bottom(self) -> bool:
+        """Whether it ends in a plane within its corner, as a flat or bull nose cutter."""
+        return not self.touches_as_ball and self.barrel is None
+
+    @property
     def contact_reach(self) -> float:
         """No contact is farther from the hub, mm."""
         return self.radius if (barrel := self.barrel) is None else math.hypot(self.radius, barrel.rise)

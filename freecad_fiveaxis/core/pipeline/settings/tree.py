@@ -181,8 +181,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     if "tool_axis" not in given and (
         settings.passes.passes not in OVER_SURFACE or not cutter.touches_as_ball
     ):
-        level = not cutter.touches_as_ball and cutter.barrel is None
-        strategy = "face_normal" if level else "facet_mean"
+        strategy = "face_normal" if cutter.has_level_bottom else "facet_mean"
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=strategy))
     return settings
 

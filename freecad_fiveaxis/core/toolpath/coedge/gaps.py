@@ -72,7 +72,7 @@ class OffsetPath:
     fill: Bools
     beside: Ints = field(default_factory=lambda: np.empty(0, np.int64))
     wall: Floats = field(default_factory=lambda: np.empty((0, 3)))
-    middle: bool = field(default=False, kw_only=True)
+    middle: bool = False
     findings: tuple[Finding, ...] = ()
 
     def __post_init__(self) -> None:
