@@ -11,17 +11,19 @@ from thorough import some_in_core
 
 from benchmarks.parts import bumpy
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
-from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.gouge import real_motion, straight_motion
+from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
+from freecad_fiveaxis.core.gouge import find_entries, real_motion, search, straight_motion
 from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pare_piece, plate_bound
-from freecad_fiveaxis.core.gouge.deepest import compute_needed_height, deepest, support_at, toward
+from freecad_fiveaxis.core.gouge.deepest import compute_needed_height, deepest, find_top, support_at, toward
 from freecad_fiveaxis.core.gouge.edges import nearest_on_edges
 from freecad_fiveaxis.core.gouge.swept_motion import Poses, clusters_of, segments_of, still_positions
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import (
     Body,
     Piece,
+    body_of,
     depth_of,
     distance_off,
     frustum_piece,
@@ -368,7 +370,8 @@ def test_a_facet_is_as_deep_in_the_shortened_piece_at_every_pose(name):
     reach = rng.uniform(-4.0, 18.0, 79) * start.axis
     corner = start.tip + reach + rng.normal(0.0, 2.0, (3, 3, 79))
     bend_tip, bend_axis = 0.125 * swept.bend_tip, 0.125 * swept.bend_axis
-    high = compute_needed_height(piece, start, end, corner, bend_tip, bend_axis)
+    top = find_top(start, end, corner, bend_tip, bend_axis)
+    high = compute_needed_height(piece, top)
     assert (high < piece.high).sum() > 10 or piece.low == piece.high
     differs = False
     share = rng.dirichlet(np.ones(3), 200)
@@ -377,6 +380,7 @@ def test_a_facet_is_as_deep_in_the_shortened_piece_at_every_pose(name):
         pose = swept.pose(block, np.full(79, u))
         arm = point - pose.tip
         height = (arm * pose.axis).sum(axis=1)
+        assert (height <= top + 1e-9).all()
         radius = np.sqrt(np.maximum((arm * arm).sum(axis=1) - height * height, 0.0))
         for k in range(79):
             whole = -distance_off(piece, radius[:, k], height[:, k])
@@ -390,6 +394,37 @@ def test_a_facet_is_as_deep_in_the_shortened_piece_at_every_pose(name):
     assert (
         differs or piece.low_radius == 0.0 or piece.low == piece.high
     )  # a ball's is as deep wherever it ends above the facet
+
+
+def test_a_point_passed_under_is_highest_half_way_as_its_top_says():
+    """A tip on a straight way across a point, the axis leaning back and then forward: the point is below the
+    bottom at both ends and on it in the middle."""
+    s, lean, none = 2.0, 0.2, np.zeros(1)
+    start, end = (
+        Poses(np.array([[side * s], [0.0], [0.0]]), np.array([[side * np.sin(lean)], [0.0], [np.cos(lean)]]))
+        for side in (-1.0, 1.0)
+    )
+    point = np.zeros((3, 3, 1))
+    assert ((point[0] - start.tip) * start.axis).sum() == pytest.approx(-s * np.sin(lean))
+    assert ((point[0] - end.tip) * end.axis).sum() == pytest.approx(-s * np.sin(lean))
+    assert find_top(start, end, point, none, none) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_what_stays_below_a_level_bottom_that_turns_is_clear_of_it_without_being_divided(monkeypatch):
+    """A flat end mill over the ridge between two faces, turning from square on one to square on the other."""
+    roof = from_triangles(
+        np.array([[(0, -9, 0), (0, 9, 0), (9, -9, -2)], [(0, 9, 0), (0, -9, 0), (-9, 9, -2)]], float)
+    )
+    lean = np.arctan2(2.0, 9.0)
+    axis = np.array([(-np.sin(lean), 0.0, np.cos(lean)), (np.sin(lean), 0.0, np.cos(lean))])
+    swept, body = straight_motion(np.zeros((2, 3)), axis), body_of(Cutter(6.0, corner=0.0))
+    rounds, halve = [], search._halve_pairs
+    monkeypatch.setattr(search, "_halve_pairs", lambda *given: rounds.append(1) or halve(*given))
+    found = find_entries(body, facet_tree(roof), swept, 0.005)
+    assert found.depth[0] == 0.0 and found.bound[0] <= 0.005 and not rounds
+    monkeypatch.setattr(search, "find_top", lambda start, *_: np.full(start.tip.shape[1], np.inf))
+    monkeypatch.setattr(search, "compute_needed_height", lambda piece, top: None)
+    assert find_entries(body, facet_tree(roof), swept, 0.005).bound[0] <= 0.005 and len(rounds) > 3
 
 
 def test_the_support_of_a_shortened_piece_is_that_of_the_piece_so_short():

@@ -75,12 +75,23 @@ def support_at(
     return np.asarray((g * pose.tip).sum(axis=0) + support(disc, along, loose) + more)
 
 
-def compute_needed_height(
-    piece: Piece, start: Poses, end: Poses, corner: Floats, bend_tip: Floats, bend_axis: Floats
-) -> Floats | None:
-    """Find how high (n,) mm pieces need to be for triangles, corners (3, 3, n) mm, on the ways from ``start``
-    to ``end``, which these leave by no more than the bends (n,); None for cones, whose sides are nearest
-    elsewhere.
+def find_top(start: Poses, end: Poses, corner: Floats, bend_tip: Floats, bend_axis: Floats) -> Floats:
+    """Find how high (n,) mm above the tip triangles, corners (3, 3, n) mm, come on the ways from ``start`` to
+    ``end``, which these leave by no more than the bends (n,).
+
+    The height of a point, axis times its arm from the tip, is of second degree in u where tip and axis go
+    straight, so between the ends it is at most a fourth of travel times turn above the higher one.
+    """
+    travel, turn = end.tip - start.tip, end.axis - start.axis
+    heights = [((corner - pose.tip) * pose.axis).sum(axis=1).max(axis=0) for pose in (start, end)]
+    far = np.sqrt(((corner - start.tip) ** 2).sum(axis=1).max(axis=0)) + _length(travel)
+    bow = 0.25 * np.maximum((travel * turn).sum(axis=0), 0.0)
+    return np.asarray(np.maximum(*heights) + bow + bend_tip + (far + bend_tip) * bend_axis)
+
+
+def compute_needed_height(piece: Piece, top: Floats) -> Floats | None:
+    """Find how high (n,) mm pieces need to be for triangles that come up to ``top`` (n,) mm above the tip;
+    None for cones, whose sides are nearest elsewhere.
 
     What is no higher than h in a piece that is as wide above as below is as deep in the part of it that ends
     as far above h as it begins below. A long tool whose axis turns sweeps far with its upper end, and would
@@ -88,17 +99,7 @@ def compute_needed_height(
     """
     if piece.low_radius != piece.high_radius:
         return None
-    most = np.full(corner.shape[2], -np.inf)
-    for pose in (start, end):
-        arm = corner - pose.tip
-        most = np.maximum(most, (arm * pose.axis).sum(axis=1).max(axis=0))
-    far = np.sqrt(((corner - start.tip) ** 2).sum(axis=1).max(axis=0)) + _length(end.tip - start.tip)
-    most += (
-        0.25 * _length(end.tip - start.tip) * _length(end.axis - start.axis)
-        + bend_tip
-        + (far + bend_tip) * bend_axis
-    )
-    return np.asarray(np.clip(2.0 * most - piece.low, piece.low, piece.high))
+    return np.asarray(np.clip(2.0 * top - piece.low, piece.low, piece.high))
 
 
 def _length(vector: Floats) -> Floats:

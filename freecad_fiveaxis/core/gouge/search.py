@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, Piece, grow_body
 
 from .bounds import box_bound, facet_bound, least_depth, pare_piece, plate_bound
-from .deepest import compute_needed_height, deepest, end_and_side, least_mixed, support_at
+from .deepest import compute_needed_height, deepest, end_and_side, find_top, least_mixed, support_at
 from .demanded_lift import raise_to_demand
 from .swept_motion import Clusters, MotionSegments, Poses, SweptMotion, clusters_of, segments_of
 
@@ -191,6 +191,21 @@ class _Left(NamedTuple):
         return _Left(
             self.block[rows], self.start[rows], self.end[rows], self.corner[..., rows], self.leaf[rows]
         )
+
+
+class _Ways(NamedTuple):
+    """The ways of pairs: poses at ``start`` and ``end``, what these leave the straight way by, ``bend`` mm
+    and ``loose`` (n,), and how high above the tip their facets come, ``top`` (n,) mm."""
+
+    start: Poses
+    end: Poses
+    bend: Floats
+    loose: Floats
+    top: Floats
+
+    def take(self, rows: Ints) -> _Ways:
+        start, end = (Poses(pose.tip[:, rows], pose.axis[:, rows]) for pose in (self.start, self.end))
+        return _Ways(start, end, self.bend[rows], self.loose[rows], self.top[rows])
 
 
 class _TooMany(Exception):
@@ -375,13 +390,14 @@ class _Search:
     def _refine_some(self, piece: Piece, left: _Left, ticks: _Ticks) -> None:
         for _ in range(ROUNDS):
             ticks()
+            left, ways = self._above_bottom(piece, left)
             if not len(left.block):
                 return
             middle = 0.5 * (left.start + left.end)
             pose = self.swept.pose(left.block, middle)
             deep, more = deepest(piece, pose, left.corner), self._more(left)
             self._note(piece, left, middle, more - deep.distance, deep.point)
-            most, in_time, half_way = self._most(piece, left, pose, deep.point, deep.g)
+            most, in_time, half_way = self._most(piece, left, ways, pose, deep.point, deep.g)
             rows = np.flatnonzero(np.minimum(most, piece.most) > self.floors.take(left.block) - more)
             left, most = left.take(rows), most[rows]
             if len(rows) > MOST_PAIRS:
@@ -390,8 +406,21 @@ class _Search:
             left, most = _halve_pairs(left, in_time[rows] >= across), np.tile(most, 2)
         np.maximum.at(self.found.bound, left.block, most + self._more(left))
 
+    def _above_bottom(self, piece: Piece, left: _Left) -> tuple[_Left, _Ways]:
+        """Return the pairs without those that stay below the bottom of the piece, and their ways: a level
+        bottom turns with the tool, so no direction that stands still is close under it."""
+        start, end = self.swept.pose(left.block, left.start), self.swept.pose(left.block, left.end)
+        share = 0.125 * (left.end - left.start) ** 2
+        bend, loose = share * self.swept.bend_tip[left.block], share * self.swept.bend_axis[left.block]
+        ways = _Ways(start, end, bend, loose, find_top(start, end, left.corner, bend, loose))
+        if piece.low_radius == 0.0:
+            return left, ways
+        most = ways.top - piece.low + piece.round
+        rows = np.flatnonzero(most > self.floors.take(left.block) - self._more(left))
+        return left.take(rows), ways.take(rows)
+
     def _most(
-        self, piece: Piece, left: _Left, pose: Poses, point: Floats, g: Floats
+        self, piece: Piece, left: _Left, ways: _Ways, pose: Poses, point: Floats, g: Floats
     ) -> tuple[Floats, Floats, Floats]:
         """Return the bound (n,) mm over the stretch; along g, how much of it comes from the way between the
         poses, and what is left half-way.
@@ -399,10 +428,8 @@ class _Search:
         Only along g do both shrink as the pair is divided; the normal's bound may be the better one, but it
         does not become better.
         """
-        start, end = self.swept.pose(left.block, left.start), self.swept.pose(left.block, left.end)
-        share = 0.125 * (left.end - left.start) ** 2
-        bend, loose = share * self.swept.bend_tip[left.block], share * self.swept.bend_axis[left.block]
-        high = compute_needed_height(piece, start, end, left.corner, bend, loose)
+        start, end, bend, loose, top = ways
+        high = compute_needed_height(piece, top)
 
         def compute_bounds(g: Floats) -> tuple[Floats, Floats, Floats]:
             over = np.maximum(*(support_at(piece, there, g, loose, high) for there in (start, end))) + bend
@@ -426,6 +453,8 @@ class _Search:
                     )
                 )
             most = np.minimum(most, least_mixed(*ends))
+        if piece.low_radius > 0.0:
+            most = np.minimum(most, top - piece.low + piece.round)
         return most, in_time, flat
 
     def _note(self, piece: Piece, left: _Left, u: Floats, depth: Floats, point: Floats) -> None:
