@@ -140,14 +140,41 @@ def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
     at = np.linspace(0.0, 1.0, shares, endpoint=False)[:, None, None]
     way = ((1.0 - at) * words[:-1] + at * words[1:]).transpose(1, 0, 2).reshape(-1, 5)
     way = way[:: max(len(way) // 4000, 1)] if near is None else way
+    return deepest_in(point, *forward(kinematics, words_to_q(way)), length, radius, high)
+
+
+CELL = 10.0
+"""mm: points in one cube of this width are asked by one of them first."""
+
+
+def deepest_in(point, tip, axis, length, radius, high):
+    """How deep the deepest of points (k, 3) is in the cylinder at any of these tips and axes (n, 3); 0 where
+    all stay out.
+
+    No point is deeper than another by more than they are apart. So of each cell of points one is asked
+    first, and the others only where they may be deeper than what is found: the result is that of all.
+    """
+    _, first, cell = np.unique((point / CELL).round(), axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(cell.reshape(-1), kind="stable")
+    point, middle, count = point[order], point[first], np.bincount(cell.reshape(-1))
+    begin = np.cumsum(count) - count
+    apart = np.maximum.reduceat(np.linalg.norm(point - np.repeat(middle, count, axis=0), axis=1), begin)
+
+    def depth(at, tip, axis):
+        height = ((at - tip) * axis).sum(axis=-1)
+        across = np.sqrt(np.maximum(((at - tip) ** 2).sum(axis=-1) - height**2, 0.0))
+        return np.minimum(np.minimum(height - length, length + high - height), radius - across)
+
     deepest = 0.0
-    for some in np.array_split(way, max(len(way) * len(point) // 4_000_000, 1)):
-        tip, axis = forward(kinematics, words_to_q(some))
-        height = point @ axis.T - (tip * axis).sum(axis=1)
-        square = (point**2).sum(axis=1)[:, None] - 2.0 * point @ tip.T + (tip**2).sum(axis=1)
-        across = np.sqrt(np.maximum(square - height**2, 0.0))
-        inside = np.minimum(np.minimum(height - length, length + high - height), radius - across)
-        deepest = max(deepest, float(inside.max()))
+    for some in np.array_split(np.arange(len(tip)), max(len(tip) * len(middle) // 200_000, 1)):
+        told = depth(middle, tip[some, None], axis[some, None])
+        deepest = max(deepest, float(told.max()))
+        pose, of = np.nonzero(told + apart > deepest)
+        which = np.repeat(np.arange(len(of)), count[of])
+        rest = np.arange(len(which)) - np.repeat(np.cumsum(count[of]) - count[of], count[of])
+        pose = some[pose[which]]
+        own = depth(point[begin[of[which]] + rest], tip[pose], axis[pose])
+        deepest = max(deepest, float(own.max(initial=0.0)))
     return deepest
 
 
