@@ -143,8 +143,8 @@ def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
     return deepest_in(point, *forward(kinematics, words_to_q(way)), length, radius, high)
 
 
-CELL = 10.0
-"""mm: points in one cube of this width are asked by one of them first."""
+CELLS = 5
+"""So many cubes stand along the widest side of points of which one in each cube is asked first."""
 
 
 def deepest_in(point, tip, axis, length, radius, high):
@@ -154,7 +154,8 @@ def deepest_in(point, tip, axis, length, radius, high):
     No point is deeper than another by more than they are apart. So of each cell of points one is asked
     first, and the others only where they may be deeper than what is found: the result is that of all.
     """
-    _, first, cell = np.unique((point / CELL).round(), axis=0, return_index=True, return_inverse=True)
+    cube = (CELLS * point / np.ptp(point, axis=0).max()).round()
+    _, first, cell = np.unique(cube, axis=0, return_index=True, return_inverse=True)
     order = np.argsort(cell.reshape(-1), kind="stable")
     point, middle, count = point[order], point[first], np.bincount(cell.reshape(-1))
     begin = np.cumsum(count) - count
