@@ -398,7 +398,10 @@ def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
 
 @pytest.mark.parametrize(
     ("mesh", "cutter"),
-    [(round_groove(4.0, side=12.0, length=12.0), "ball:10"), pytest.param(bowl(15.0, 30), "ball:20", marks=pytest.mark.slow)],
+    [
+        (round_groove(4.0, side=12.0, length=12.0), "ball:10"),
+        pytest.param(bowl(15.0, 30), "ball:20", marks=pytest.mark.slow),
+    ],
     ids=["groove", "bowl"],
 )
 @some_in_core("gouge", ["lift", "leave-out"])

@@ -124,10 +124,11 @@ def test_without_a_holder_there_is_nothing_to_tell():
 # ------------------------------------------------------------------------------------------- the second route
 
 
-def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
-    """How deep points of the mesh are in a cylinder that stands ``length`` mm over the tip, at most: dense
-    samples of the joints' straight way, and of the facets' edges, one in each cube of 4 mm and at 4000
-    places; or of all that are within 5 mm of a place."""
+def samples(mesh, made, near=None):
+    """Points (k, 3) of the mesh, and tips and axes (n, 3) of the tool: dense samples of the joints' straight
+    way, and of the facets' edges, one in each cube of 4 mm and at 4000 places; or of all that are within 5 mm
+    of a place."""
+    words = made.draft.program.words
     corner = mesh.vertex[mesh.face]
     wide = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max()
     share = np.linspace(0.0, 1.0, math.ceil(wide / 5.0) + 1)[:, None, None, None]
@@ -140,7 +141,7 @@ def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
     at = np.linspace(0.0, 1.0, shares, endpoint=False)[:, None, None]
     way = ((1.0 - at) * words[:-1] + at * words[1:]).transpose(1, 0, 2).reshape(-1, 5)
     way = way[:: max(len(way) // 4000, 1)] if near is None else way
-    return deepest_in(point, *forward(kinematics, words_to_q(way)), length, radius, high)
+    return point, *forward(made.draft.kinematics, words_to_q(way))
 
 
 CELLS = 5
@@ -215,9 +216,8 @@ def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millime
 
 def holder_depth(mesh, made, length, near=None):
     """How deep a holder of two steps is in the mesh, by samples."""
-    words, kinematics = made.draft.program.words, made.draft.kinematics
-    lower = sampled_depth(mesh, kinematics, words, length, 20.0, 30.0, near)
-    return max(lower, sampled_depth(mesh, kinematics, words, length + 30.0, 31.5, 60.0, near))
+    at = samples(mesh, made, near)
+    return max(deepest_in(*at, length, 20.0, 30.0), deepest_in(*at, length + 30.0, 31.5, 60.0))
 
 
 def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
@@ -234,10 +234,8 @@ def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
     monkeypatch.setattr(standing.Run, "above", property(thinner))
     given = GIVEN | {"cutter": "ball:8", "stepover": 8.0, "tilt": 40.0}
     chart = try_setups(build_settings("setup", "part.stl", given), mesh=mesh).chart
-    made = made_with(mesh, given, chart, ())
-    words, kinematics = made.draft.program.words, made.draft.kinematics
-    told = chart.stick_out
-    assert sampled_depth(mesh, kinematics, words, told.enough, 20.0, 30.0, told.shorter.place) > 0.1
+    told, made = chart.stick_out, made_with(mesh, given, chart, ())
+    assert deepest_in(*samples(mesh, made, told.shorter.place), told.enough, 20.0, 30.0) > 0.1
 
 
 # ---------------------------------------------------------------------------------------- machine and spindle
