@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.orientation.spacing_radius import spacing_radius
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions
-from freecad_fiveaxis.core.pipeline import job, outputs
+from freecad_fiveaxis.core.pipeline import job, outputs, solve_joints
 from freecad_fiveaxis.core.pipeline import options as asked
 from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
@@ -27,6 +27,29 @@ from freecad_fiveaxis.core.toolpath.apt import read_apt, read_cl_file, write_apt
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 CUTTERS = ("flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:8:1:5deg")
+
+
+UNASKED = {**UNCURED, "rest": "on"}
+"""What stays uncut is the matter of the map of rest material, which is drawn where a program is proven: none
+looks for it while the path is made."""
+
+
+@pytest.fixture(scope="module")
+def milled(parts):
+    """Results by part, machine and options, each made once, of which none asks what stays uncut: that takes
+    longer than all that is looked at here."""
+    made = {}
+
+    def mill(part, machine, **options):
+        key = (part, machine, *sorted(options.items()))
+        if key not in made:
+            given = {"machine": machine, "stepover": 5, "tool_length": 120, **UNCURED, **options}
+            with pytest.MonkeyPatch.context() as patched:
+                patched.setattr(solve_joints, "find_uncut", lambda context, path: ())
+                made[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
+        return made[key]
+
+    return mill
 
 
 @pytest.fixture(scope="module")
@@ -89,7 +112,7 @@ def heels_of(made):
 
 @some_in_core("cutter", ["flat:10", "bull:10:2", "taperbull:8:1:5deg"], kept=(1,))
 def test_a_heel_in_a_hollow_along_the_pass_is_as_deep_as_estimated(cutter, parts, points, estimated):
-    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 5, "tool_length": 120, **UNCURED}
+    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 5, "tool_length": 120, **UNASKED}
     made = job.make(build_settings("mill", str(parts / "saddle.stl"), given))
     deep = depth(parse_cutter(cutter), *on_part(made), points("saddle"))
     assert len(heels_of(made)) == 1 and deep.max() > 0.1
@@ -240,7 +263,7 @@ def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
     tolerance."""
     mesh = roof(np.radians(slope))
     write_stl(mesh, tmp_path / "roof.stl")
-    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60, **UNCURED}
+    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60, **UNASKED}
     made = job.make(build_settings("mill", str(tmp_path / "roof.stl"), given))
     tip, axis = on_part(made)
     same = np.diff(made.path.pass_[made.path.motion <= Motion.FILL]) == 0
@@ -363,7 +386,7 @@ def test_the_scallop_left_is_what_was_asked_for(name, shape, lead, tmp_path):
         "lead": lead,
         "scallop": scallop,
         "order": "one_way",
-        **UNCURED,
+        **UNASKED,
     }
     made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
     rest = rest_over(made, cutter, SURFACES[name], 3 * scallop)

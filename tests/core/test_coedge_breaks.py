@@ -2,6 +2,8 @@
 """Passes round parts with inside corners sharper than a right angle: nothing vanishes that the ball can
 cut."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from offset_examples import chords, clearance, distance, prism
@@ -68,17 +70,31 @@ def finished_share(mesh, path):
     return np.mean(cKDTree(swept(path)).query(point[can])[0] - RADIUS < FINISHED)
 
 
-@pytest.fixture(params=[10.0, 30.0])
-def block(request):
-    return undercut(request.param)
+undercut_block = cache(undercut)
 
 
-def by_planes_without_end(block, monkeypatch):
+@cache
+def passes_round(degrees):
+    """The passes round the block whose wall leans so much."""
+    return passes(undercut_block(degrees))
+
+
+@cache
+def offset_path(degrees):
+    """The offset path of these passes, made once: no test changes it."""
+    return close_gaps(passes_round(degrees), undercut_block(degrees), RADIUS, 0.01)
+
+
+@cache
+def by_planes_without_end(degrees):
     """The offset path where no facet's end counts."""
-    with monkeypatch.context() as patched:
+    with pytest.MonkeyPatch.context() as patched:
         patched.setattr(trimming, "spare_free", lambda chords, part, gone: gone)
         patched.setattr(trimming, "break_unmet", lambda chords, part, uncut: None)
-        return close_gaps(passes(block), block, RADIUS, 0.01)
+        return close_gaps(passes_round(degrees), undercut_block(degrees), RADIUS, 0.01)
+
+
+each_block = pytest.mark.parametrize("degrees", [10.0, 30.0])
 
 
 def entered_length(path, mesh):
@@ -87,26 +103,31 @@ def entered_length(path, mesh):
     return np.linalg.norm(point[-1] - point[0], axis=1)[clearance(path, mesh) < RADIUS - 0.05].sum()
 
 
-def test_what_the_ball_can_touch_is_finished(block):
-    path = close_gaps(passes(block), block, RADIUS, 0.01)
-    assert finished_share(block, path) >= 0.97
+@each_block
+def test_what_the_ball_can_touch_is_finished(degrees):
+    path = offset_path(degrees)
+    assert finished_share(undercut_block(degrees), path) >= 0.97
     assert [one.code for one in path.findings].count("corner-not-reached") == 1
 
 
-def test_the_share_notices_trims_by_planes_without_end(block, monkeypatch):
-    assert finished_share(block, by_planes_without_end(block, monkeypatch)) < 0.97
+@each_block
+def test_the_share_notices_trims_by_planes_without_end(degrees):
+    assert finished_share(undercut_block(degrees), by_planes_without_end(degrees)) < 0.97
 
 
 @pytest.mark.thorough
-def test_a_break_enters_nothing_that_was_not_entered_before(block, monkeypatch):
-    path = close_gaps(passes(block), block, RADIUS, 0.01)
-    assert entered_length(path, block) <= entered_length(by_planes_without_end(block, monkeypatch), block)
+@each_block
+def test_a_break_enters_nothing_that_was_not_entered_before(degrees):
+    block = undercut_block(degrees)
+    before = entered_length(by_planes_without_end(degrees), block)
+    assert entered_length(offset_path(degrees), block) <= before
 
 
-def test_no_closed_pass_vanishes(block, monkeypatch):
-    contact, path = passes(block), close_gaps(passes(block), block, RADIUS, 0.01)
-    assert least_share_of_a_pass(contact, path) > 0.5
-    assert least_share_of_a_pass(contact, by_planes_without_end(block, monkeypatch)) < 0.1
+@each_block
+def test_no_closed_pass_vanishes(degrees):
+    contact = passes_round(degrees)
+    assert least_share_of_a_pass(contact, offset_path(degrees)) > 0.5
+    assert least_share_of_a_pass(contact, by_planes_without_end(degrees)) < 0.1
 
 
 def least_share_of_a_pass(contact, path):
@@ -120,9 +141,7 @@ def least_share_of_a_pass(contact, path):
 
 
 def test_each_piece_of_a_broken_pass_is_a_polyline_of_its_own():
-    block = undercut(30.0)
-    contact = passes(block)
-    path = close_gaps(contact, block, RADIUS, 0.01)
+    contact, path = passes_round(30.0), offset_path(30.0)
     begins = np.flatnonzero(np.diff(path.polyline, prepend=-1))
     assert len(begins) > len(np.unique(contact.polyline)) and not path.fill[begins].any()
     assert set(np.diff(path.polyline)) <= {0, 1}
@@ -131,9 +150,9 @@ def test_each_piece_of_a_broken_pass_is_a_polyline_of_its_own():
 
 def test_where_some_facets_are_not_cut_pieces_are_the_same():
     """Whether or not the caps are cut, the other facets have the same rows."""
-    block = undercut(30.0)
+    block, whole = undercut_block(30.0), offset_path(30.0)
     keep = np.abs(block.normal[:, 1]) < 0.5
-    part, whole = (close_gaps(passes(block), block, RADIUS, 0.01, some) for some in (keep, None))
+    part = close_gaps(passes_round(30.0), block, RADIUS, 0.01, keep)
     assert keep[part.face].all()
     wanted = keep[whole.face] & ~whole.fill
     assert np.quantile(cKDTree(swept(part)).query(whole.centre[wanted])[0], 0.9) < 0.1

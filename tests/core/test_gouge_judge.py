@@ -22,8 +22,10 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 TOLERANCE = 0.01
 OPTIONS = {
     "machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 60, "linearize": "on",
-    "tolerance": TOLERANCE, "gouge": "report",
+    "tolerance": TOLERANCE, "gouge": "report", "rest": "on",
 }  # fmt: skip
+"""With the map of rest material, which is drawn where a program is proven, none looks for what stays uncut while
+a path is made."""
 
 PARTS = {
     "groove": (lambda: round_groove(4.0, 24), {"direction": 0}),

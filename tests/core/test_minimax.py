@@ -77,7 +77,7 @@ def beyond(path, axis, samples=2001):
     one, two = np.sin((1 - share) * turn) / sine, np.sin(share * turn) / sine
     one, two = np.where(turn < 1e-9, 1.0, one), np.where(turn < 1e-9, 0.0, two)
     arc = one[:, :, None] * path.before[:, None] + two[:, :, None] * path.after[:, None]
-    return np.arccos(np.clip(np.einsum("nsi,ni->ns", arc, axis), -1, 1)).min(axis=1)
+    return np.arccos(np.clip(np.einsum("nsi,ni->ns", arc, axis).max(axis=1), -1, 1))
 
 
 # ----------------------------------------------------------------------------------------- what it must reach
@@ -333,7 +333,7 @@ def test_what_is_allowed_is_what_dense_sampling_of_the_range_says(angle):
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     turn = np.linspace(0.0, angle, 4001)
     arc = np.column_stack([np.sin(turn), 0.0 * turn, np.cos(turn)])
-    away = np.arccos(np.clip(axis @ arc.T, -1, 1)).min(axis=1)
+    away = np.arccos(np.clip((axis @ arc.T).max(axis=1), -1, 1))
     expected = (away <= TILT) & (axis @ before[0] >= 0) & (axis @ after[0] >= 0)
     got = is_allowed(before, after, TILT, axis.T[:, :, None])[:, 0]
     clear = np.abs(away - TILT) > 1e-5

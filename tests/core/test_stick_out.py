@@ -124,10 +124,11 @@ def test_without_a_holder_there_is_nothing_to_tell():
 # ------------------------------------------------------------------------------------------- the second route
 
 
-def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
-    """How deep points of the mesh are in a cylinder that stands ``length`` mm over the tip, at most: dense
-    samples of the joints' straight way, and of the facets' edges, one in each cube of 4 mm and at 4000
-    places; or of all that are within 5 mm of a place."""
+def samples(mesh, made, near=None):
+    """Points (k, 3) of the mesh, and tips and axes (n, 3) of the tool: dense samples of the joints' straight
+    way, and of the facets' edges, one in each cube of 4 mm and at 4000 places; or of all that are within 5 mm
+    of a place."""
+    words = made.draft.program.words
     corner = mesh.vertex[mesh.face]
     wide = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max()
     share = np.linspace(0.0, 1.0, math.ceil(wide / 5.0) + 1)[:, None, None, None]
@@ -140,14 +141,42 @@ def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
     at = np.linspace(0.0, 1.0, shares, endpoint=False)[:, None, None]
     way = ((1.0 - at) * words[:-1] + at * words[1:]).transpose(1, 0, 2).reshape(-1, 5)
     way = way[:: max(len(way) // 4000, 1)] if near is None else way
+    return point, *forward(made.draft.kinematics, words_to_q(way))
+
+
+CELLS = 5
+"""So many cubes stand along the widest side of points of which one in each cube is asked first."""
+
+
+def deepest_in(point, tip, axis, length, radius, high):
+    """How deep the deepest of points (k, 3) is in the cylinder at any of these tips and axes (n, 3); 0 where
+    all stay out.
+
+    No point is deeper than another by more than they are apart. So of each cell of points one is asked
+    first, and the others only where they may be deeper than what is found: the result is that of all.
+    """
+    cube = (CELLS * point / np.ptp(point, axis=0).max()).round()
+    _, first, cell = np.unique(cube, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(cell.reshape(-1), kind="stable")
+    point, middle, count = point[order], point[first], np.bincount(cell.reshape(-1))
+    begin = np.cumsum(count) - count
+    apart = np.maximum.reduceat(np.linalg.norm(point - np.repeat(middle, count, axis=0), axis=1), begin)
+
+    def depth(at, tip, axis):
+        height = ((at - tip) * axis).sum(axis=-1)
+        across = np.sqrt(np.maximum(((at - tip) ** 2).sum(axis=-1) - height**2, 0.0))
+        return np.minimum(np.minimum(height - length, length + high - height), radius - across)
+
     deepest = 0.0
-    for some in np.array_split(way, max(len(way) * len(point) // 4_000_000, 1)):
-        tip, axis = forward(kinematics, words_to_q(some))
-        height = point @ axis.T - (tip * axis).sum(axis=1)
-        square = (point**2).sum(axis=1)[:, None] - 2.0 * point @ tip.T + (tip**2).sum(axis=1)
-        across = np.sqrt(np.maximum(square - height**2, 0.0))
-        inside = np.minimum(np.minimum(height - length, length + high - height), radius - across)
-        deepest = max(deepest, float(inside.max()))
+    for some in np.array_split(np.arange(len(tip)), max(len(tip) * len(middle) // 200_000, 1)):
+        told = depth(middle, tip[some, None], axis[some, None])
+        deepest = max(deepest, float(told.max()))
+        pose, of = np.nonzero(told + apart > deepest)
+        which = np.repeat(np.arange(len(of)), count[of])
+        rest = np.arange(len(which)) - np.repeat(np.cumsum(count[of]) - count[of], count[of])
+        pose = some[pose[which]]
+        own = depth(point[begin[of[which]] + rest], tip[pose], axis[pose])
+        deepest = max(deepest, float(own.max(initial=0.0)))
     return deepest
 
 
@@ -187,9 +216,8 @@ def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millime
 
 def holder_depth(mesh, made, length, near=None):
     """How deep a holder of two steps is in the mesh, by samples."""
-    words, kinematics = made.draft.program.words, made.draft.kinematics
-    lower = sampled_depth(mesh, kinematics, words, length, 20.0, 30.0, near)
-    return max(lower, sampled_depth(mesh, kinematics, words, length + 30.0, 31.5, 60.0, near))
+    at = samples(mesh, made, near)
+    return max(deepest_in(*at, length, 20.0, 30.0), deepest_in(*at, length + 30.0, 31.5, 60.0))
 
 
 def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
@@ -206,10 +234,8 @@ def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
     monkeypatch.setattr(standing.Run, "above", property(thinner))
     given = GIVEN | {"cutter": "ball:8", "stepover": 8.0, "tilt": 40.0}
     chart = try_setups(build_settings("setup", "part.stl", given), mesh=mesh).chart
-    made = made_with(mesh, given, chart, ())
-    words, kinematics = made.draft.program.words, made.draft.kinematics
-    told = chart.stick_out
-    assert sampled_depth(mesh, kinematics, words, told.enough, 20.0, 30.0, told.shorter.place) > 0.1
+    told, made = chart.stick_out, made_with(mesh, given, chart, ())
+    assert deepest_in(*samples(mesh, made, told.shorter.place), told.enough, 20.0, 30.0) > 0.1
 
 
 # ---------------------------------------------------------------------------------------- machine and spindle

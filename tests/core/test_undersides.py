@@ -88,11 +88,15 @@ def nearest_to_box(made):
 
 
 def deepest_link(made):
-    """How deep (mm) the tool's skin is in the part on links, by libigl's distances to the mesh."""
-    return max(
-        -gouge_judge.distances(made.mesh, at.reshape(-1, 3), signed=True).min()
-        for at in sampled(made, Motion.LINK)
-    )
+    """How deep (mm) the tool's skin is in the part on links, by libigl's distances to the mesh; 0 where it
+    stays out. Of a closed part only what is in its box can be in it: nothing else is asked."""
+    low, high = made.mesh.box
+    deepest = 0.0
+    for at in sampled(made, Motion.LINK):
+        inside = at[((at >= low) & (at <= high)).all(axis=2)]
+        if len(inside):
+            deepest = max(deepest, -gouge_judge.distances(made.mesh, inside, signed=True).min())
+    return deepest
 
 
 def gouges(made):
