@@ -60,11 +60,23 @@ def dask():
         yield client.get_executor()
 
 
+UNWATCHED = {
+    "distributed.worker.profile.enabled": False,
+    "distributed.worker.memory.monitor-interval": "10s",
+    "distributed.admin.system-monitor.interval": "10s",
+    "distributed.admin.tick.interval": "5s",
+}
+"""How seldom dask looks at itself, which nobody reads here: a tenth of a processor goes into it otherwise."""
+
+
 @contextmanager
 def dask_client():
     """A client of a scheduler in this process with two workers; where one is killed, dask begins another."""
     distributed = pytest.importorskip("distributed")
+    import dask
+
     with (
+        dask.config.set(UNWATCHED),
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):

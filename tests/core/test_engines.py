@@ -237,9 +237,11 @@ def test_an_executor_may_know_little_of_its_end(parts, tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def by_command(parts, tmp_path_factory):
-    return made_by_command(
-        parts, tmp_path_factory.mktemp("serial"), "--executor", "serial", before=[sys.executable]
-    )
+    """What the command writes without workers, here."""
+    out = tmp_path_factory.mktemp("serial")
+    words = ["batch", str(parts), "--out", str(out), "--quiet", "--executor", "serial", *WORDS]
+    assert cli.main(words) == cli.DONE_WITH_ERRORS
+    return contents(out)
 
 
 @pytest.mark.slow
