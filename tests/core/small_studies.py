@@ -10,7 +10,7 @@ STUDIES = {
     "setup": WAY | SETUP,
     "compare": WAY
     | {"stepover": 24, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
-    "reach": {"machine": "trunnion_ac", "cutter": "ball:6:12", "holder": "30x20", "face": None},
+    "reach": {"machine": "trunnion_ac", "cutter": "ball:20:12", "holder": "40x20", "face": None},
     "setup of little reach": WAY
     | SETUP
     | {"machine": "mikron_ucp710", "turns": 1, "region": "400,400,300", "grid": "2,2,2"},
