@@ -54,12 +54,37 @@ def processes():
         yield pool
 
 
+@pytest.fixture(scope="module")
+def loky():
+    """As ``processes``, of another package."""
+    with engines.loky() as pool:
+        yield pool
+
+
+@pytest.fixture(scope="module")
+def dask():
+    """A client of two workers, for those who kill some of them too."""
+    with engines.dask_client() as client:
+        yield client
+
+
+@pytest.fixture(scope="module")
+def living(request):
+    """living(name): an executor of that engine, whose workers serve all tests of a file."""
+
+    def find(name):
+        made = request.getfixturevalue(name)
+        return made.get_executor() if name == "dask" else made
+
+    return find
+
+
 @pytest.fixture(scope="module", params=engines.ENGINES)
-def engine(request):
+def engine(request, living):
     """Each engine that may be given work."""
     name = request.param
-    if name == "processes":
-        yield engines.Engine(name, request.getfixturevalue("processes"), True)
+    if name in engines.SHARED:
+        yield engines.Engine(name, living(name), True)
         return
     with engines.OPEN[name]() as made:
         yield engines.Engine(name, made, name in engines.APART)

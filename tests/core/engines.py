@@ -13,6 +13,7 @@ import sys
 from concurrent.futures import Executor
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
+from functools import cache
 
 import pytest
 from roofs import Inline
@@ -54,17 +55,32 @@ def loky():
 
 
 @contextmanager
-def dask(gives_up_after=3):
-    """``gives_up_after``: so many deaths of workers with a task are survived; dask's own number is 3."""
+def dask():
+    with dask_client() as client:
+        yield client.get_executor()
+
+
+UNWATCHED = {
+    "distributed.worker.profile.enabled": False,
+    "distributed.worker.memory.monitor-interval": "10s",
+    "distributed.admin.system-monitor.interval": "10s",
+    "distributed.admin.tick.interval": "5s",
+}
+"""How seldom dask looks at itself, which nobody reads here: a tenth of a processor goes into it otherwise."""
+
+
+@contextmanager
+def dask_client():
+    """A client of a scheduler in this process with two workers; where one is killed, dask begins another."""
     distributed = pytest.importorskip("distributed")
     import dask
 
     with (
-        dask.config.set({"distributed.scheduler.allowed-failures": gives_up_after}),
+        dask.config.set(UNWATCHED),
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):
-        yield client.get_executor()
+        yield client
 
 
 @contextmanager
@@ -83,6 +99,15 @@ def mpi_environment():
     """The environment in which MPI begins processes. Skips where it cannot: it would take this process
     along."""
     pytest.importorskip("mpi4py")
+    more, problem = _try_mpi()
+    if problem:
+        pytest.skip(problem)
+    return more
+
+
+@cache
+def _try_mpi():
+    """The environment, and why MPI begins no processes in it."""
     beside = os.path.dirname(sys.executable)
     more = {
         "OMPI_ALLOW_RUN_AS_ROOT": "1",
@@ -91,7 +116,7 @@ def mpi_environment():
     }
     more["PATH"] = beside + os.pathsep + os.environ.get("PATH", "")
     if shutil.which("mpiexec", path=more["PATH"]) is None:
-        pytest.skip("no mpiexec here")
+        return more, "no mpiexec here"
     try:
         tried = subprocess.run(
             [sys.executable, "-c", SPAWN], env=os.environ | more, capture_output=True, timeout=120, text=True
@@ -99,9 +124,8 @@ def mpi_environment():
         said = tried.stdout.strip()
     except subprocess.TimeoutExpired:
         said = "it hangs"
-    if said != "3":
-        pytest.skip("this MPI begins no processes beside one that was begun without it")
-    return more
+    works = said == "3"
+    return more, "" if works else "this MPI begins no processes beside one that was begun without it"
 
 
 OPEN = {
@@ -116,6 +140,8 @@ OPEN = {
     "mpi": mpi,
 }
 APART = ("processes", "loky", "dask", "mpi")
+SHARED = ("processes", "loky", "dask")
+"""Those of which one crew serves all tests of a file."""
 ONCE_MORE = ("serial", "inline", "foreign threads", "plain processes")
 """Those that show the same as others."""
 OF_OTHERS = ("loky", "dask", "mpi")

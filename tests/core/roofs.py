@@ -2,11 +2,12 @@
 """Small parts for a batch, and executors that do not keep their word."""
 
 import os
-import signal
+import pickle
 from concurrent.futures import BrokenExecutor, Executor, Future
 from unittest.mock import patch
 
 import numpy as np
+from dying import die_first
 
 from freecad_fiveaxis.core.batch import plan, work
 from freecad_fiveaxis.core.batch.crews import work_in_crew
@@ -92,37 +93,6 @@ def work_with_blank_pages(job):
         return work_in_crew(job)
 
 
-def die():
-    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
-
-
-def die_first(mark, work, *given):
-    """What a worker does that is killed in the first task of this kind: it leaves ``mark`` behind."""
-    if not mark:
-        die()
-    if not os.path.exists(mark):
-        with open(mark, "w", encoding="utf-8"):
-            pass
-        die()
-    return work(*given)
-
-
-def die_once(job, mark):
-    """What a worker does that is killed in its first job named b."""
-    return (
-        die_first(mark, work_with_blank_pages, job)
-        if os.path.basename(job.stem) == "b"
-        else work_with_blank_pages(job)
-    )
-
-
-def die_always(job):
-    """A job that no process survives."""
-    if os.path.basename(job.stem) == "b":
-        die()
-    return work_with_blank_pages(job)
-
-
 class Dying(Inline):
     """A pool that the job named b breaks."""
 
@@ -148,7 +118,7 @@ class Killing(Executor):
         self.count += 1
         if self.count != 2:
             return self.pool.submit(work, *given)
-        return self.pool.submit(die_first, self.mark, work, *given)
+        return self.pool.submit(die_first, self.mark, pickle.dumps((work, given)))
 
 
 class Instead(Executor):
@@ -162,6 +132,13 @@ class Instead(Executor):
 
     def shutdown(self, wait=True, **more):
         self.pool.shutdown(wait, **more)
+
+
+class Kept(Instead):
+    """And who has it does not end the pool: others use it too."""
+
+    def shutdown(self, wait=True, **more):
+        pass
 
 
 def write_parts(folder):

@@ -9,8 +9,8 @@ SETUP = {"grid": "3,2,1", "turns": 2, "region": "40,30,0", "origin": "10,5,-20"}
 STUDIES = {
     "setup": WAY | SETUP,
     "compare": WAY
-    | {"stepover": 12, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
-    "reach": {"machine": "trunnion_ac", "cutter": "ball:6:12", "holder": "30x20", "face": None},
+    | {"stepover": 24, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
+    "reach": {"machine": "trunnion_ac", "cutter": "ball:20:12", "holder": "40x20", "face": None},
     "setup of little reach": WAY
     | SETUP
     | {"machine": "mikron_ucp710", "turns": 1, "region": "400,400,300", "grid": "2,2,2"},

@@ -93,8 +93,8 @@ def centres(result, many=40):
 @pytest.mark.parametrize("name", PARTS)
 def test_the_ball_keeps_the_allowance_off_curved_faces_and_without_one_it_comes_nearer(name, tmp_path):
     (mesh, some), distance = PARTS[name][0](), PARTS[name][1]
-    for allowance in (1.0, 0.0):
-        result = run_beside(mesh, some, allowance, tmp_path)
+    for allowance, scallop in ((1.0, 0.1), (0.0, 0.25)):
+        result = run_beside(mesh, some, allowance, tmp_path, scallop=scallop)
         centre, least = centres(result), RADIUS + allowance
         centre = centre[centre[:, 2] > 0.0]
         assert distance(centre, ROUND).min() < least + 0.05, "no farther off than it must"
@@ -116,7 +116,7 @@ def spread(corner, count):
     not REAL.exists(), reason="the mesh sh1 of OCCT's samples is not here (Debian's occt-misc)"
 )
 def test_on_a_real_part_the_ball_keeps_the_allowance_off_its_faces(tmp_path):
-    """What lies in the middle third of the part's height: curved, and level. 27 000 blocks are enough to come
+    """What lies in the middle third of the part's height: curved, and level. 21 000 blocks are enough to come
     as near as they may."""
     mesh = read_stl(str(REAL))
     middle, (low, high) = mesh.vertex[mesh.face].mean(axis=1)[:, 2], np.asarray(mesh.box)[:, 2]
@@ -124,7 +124,7 @@ def test_on_a_real_part_the_ball_keeps_the_allowance_off_its_faces(tmp_path):
     cloud = cKDTree(spread(mesh.vertex[mesh.face[some]], 200_000))
     near = {}
     for allowance in (1.0, 0.0):
-        result = run_beside(mesh, some, allowance, tmp_path, scallop=0.5)
+        result = run_beside(mesh, some, allowance, tmp_path, scallop=1.0)
         near[allowance] = cloud.query(centres(result, 15), distance_upper_bound=6.0)[0].min()
         assert not {"avoided-faces-near", "overcut"} & {one.code for one in result.findings}
-    assert near[1.0] >= RADIUS + 1.0 - TOLERANCE and near[0.0] < RADIUS + 0.1
+    assert RADIUS + 1.0 - TOLERANCE <= near[1.0] < RADIUS + 1.05 and near[0.0] < RADIUS + 0.1

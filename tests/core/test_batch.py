@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import roofs
+from dying import die_always, die_once
 from roofs import (
     WAY,
     Dropping,
@@ -17,8 +18,6 @@ from roofs import (
     Instead,
     Swapping,
     contents,
-    die_always,
-    die_once,
     jobs_of,
     work_with_blank_pages,
     write_parts,

@@ -41,6 +41,8 @@ from freecad_fiveaxis.core.toolpath.apt import write_apt
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 COARSE = {"stepover": 12.0, "rings": 8}
+COARSER = {"stepover": 20.0, "rings": 8}
+"""Where every correction is tried."""
 MACHINES = ("trunnion_ac", "mikron_ucp710", "head_b_table_c")
 
 
@@ -106,7 +108,7 @@ def cells(row):
 
 @pytest.mark.slow
 def test_every_cell_is_that_of_a_separate_run_with_every_cure():
-    made = milled(tool_length=80.0, **COARSE)
+    made = milled(tool_length=80.0, **COARSER)
     tried = {**cures(made), "halved": halved, "leaned": leading(AxisCorrection(leaned), made)}
     places = list(stations(made))
     rows = compare(made.path, places, tried, guided=(False,))
@@ -159,7 +161,7 @@ OPTIONS = {
 @pytest.mark.slow
 def test_a_solid_compared_is_the_same_as_milled_on_the_first_machine_with_each_cure():
     assert set(OPTIONS) == set(CURES)
-    options, mesh = {"stepover": 12.0, "tool_length": 80.0}, cap(rings=8, sectors=24)
+    options, mesh = {"stepover": COARSER["stepover"], "tool_length": 80.0}, cap(rings=8, sectors=24)
     found = try_machines(
         build_settings("compare", "cap.stl", {"machines": "trunnion_ac,mikron_ucp710", **options}), mesh=mesh
     )
@@ -268,12 +270,16 @@ def test_an_unknown_cure_is_named_with_those_that_there_are():
 @pytest.mark.slow
 def test_a_new_line_in_the_table_of_cures_is_compared(monkeypatch):
     monkeypatch.setattr(cure_table, "CURES", {**CURES, "halved": lambda made: halved})
-    settings = build_settings("compare", "cap.stl", {"machines": "trunnion_ac", "stepover": 12.0})
+    settings = build_settings(
+        "compare", "cap.stl", {"machines": "trunnion_ac", "stepover": COARSER["stepover"]}
+    )
     found = try_machines(settings, mesh=cap(rings=8, sectors=24))
     assert [row.cure for row in found.rows] == [name for name in (*CURES, "halved") for _ in range(2)]
     one = try_machines(
         build_settings(
-            "compare", "cap.stl", {"machines": "trunnion_ac", "stepover": 12.0, "cures": "halved"}
+            "compare",
+            "cap.stl",
+            {"machines": "trunnion_ac", "stepover": COARSER["stepover"], "cures": "halved"},
         ),
         mesh=cap(rings=8, sectors=24),
     )

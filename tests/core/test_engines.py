@@ -10,21 +10,21 @@ import shutil
 import subprocess
 import sys
 import threading
-from contextlib import ExitStack
+from contextlib import contextmanager, nullcontext
 from functools import cache
 from pathlib import Path
 
 import engines
 import pytest
 import roofs
+from dying import die_always, die_once
 from engines import mpi_environment
 from roofs import (
     WAY,
     Instead,
+    Kept,
     Killing,
     contents,
-    die_always,
-    die_once,
     jobs_of,
     work_with_blank_pages,
     write_parts,
@@ -118,28 +118,36 @@ def test_a_page_of_a_study_is_the_same(name, processes, parts, told):
     assert study.as_html(trial) == study.as_html(told(name)[0])
 
 
+@contextmanager
+def mortal(name, living):
+    """A crew of which workers may be killed: of dask the one that all have, as it begins another worker."""
+    with nullcontext(living(name)) if name == "dask" else engines.OPEN[name]() as pool:
+        yield pool
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KILLED)
-def test_the_jobs_of_a_killed_worker_run_again_and_none_twice(name, parts, expected, tmp_path):
-    mark = tmp_path / "died"
-    with ExitStack() as opened:  # dask has another worker for the job: no second crew of it is ever asked for
-        dying = Instead(opened.enter_context(engines.OPEN[name]()), die_once, str(mark))
-        rows = rows_of(
-            run_batch(
-                jobs_of(parts, tmp_path / "out"),
-                dying,
-                again=lambda workers: Instead(
-                    opened.enter_context(engines.OPEN[name]()), work_with_blank_pages
-                ),
-            )
-        )
+def test_the_jobs_of_a_killed_worker_run_again_and_none_twice(name, living, parts, expected, tmp_path):
+    """The second crew is one that others have too; of dask none is ever asked for."""
+    mark, again = tmp_path / "died", []
+
+    def open_again(workers):
+        again.append(workers)
+        return Kept(living(name), work_with_blank_pages)
+
+    with mortal(name, living) as pool:
+        dying = Instead(pool, die_once, str(mark))
+        rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out"), dying, again=open_again))
+    assert again == ([] if name == "dask" else [None])
     assert mark.exists() and (rows, contents(tmp_path / "out")) == expected(True)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KILLED)
-def test_a_job_that_no_worker_survives_is_told_and_harms_no_other_bytes(name, parts, expected, tmp_path):
-    with engines.OPEN[name]() as pool:
+def test_a_job_that_no_worker_survives_is_told_and_harms_no_other_bytes(
+    name, living, parts, expected, tmp_path
+):
+    with mortal(name, living) as pool:
         rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out"), Instead(pool, die_always)))
     assert (
         "died" in rows["b"]["error"] and "\n" not in rows["b"]["error"] and rows["b"]["verdict"] == "failed"
@@ -155,7 +163,9 @@ KILLS = [(KILLED[0], name) for name in ("setup", "compare", "reach")] + [
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "of"), KILLS)
-def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(name, of, parts, told, tmp_path):
+def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(
+    name, of, living, parts, told, tmp_path
+):
     """Pools of Python and loky break, which is one clear error and no result; a second run has all. Dask has
     another worker."""
     mark, shares, roof = tmp_path / "died", [], str(parts / "a.stl")
@@ -163,7 +173,7 @@ def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(name, of, 
     def tell(stage, fraction):
         shares.append(fraction)
 
-    with engines.OPEN[name]() as pool:
+    with mortal(name, living) as pool:
         killing = Killing(pool, str(mark))
         if name != "dask":
             with pytest.raises(SettingsError, match="a process died"):
@@ -172,8 +182,7 @@ def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(name, of, 
             assert texts_of(try_study(of, roof, killing, tell)) == told(of)[1]
     assert mark.exists()
     if name != "dask":
-        with engines.OPEN[name]() as pool:
-            assert texts_of(try_study(of, roof, Killing(pool, str(mark)), tell)) == told(of)[1]
+        assert texts_of(try_study(of, roof, Killing(living(name), str(mark)), tell)) == told(of)[1]
     assert shares[-1] == 1.0
 
 
@@ -198,9 +207,11 @@ def made_by_command(parts, out, *words, before=()):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KILLED)
-def test_a_task_that_no_worker_survives_is_one_clear_error(name, parts):
-    few = {"gives_up_after": 1} if name == "dask" else {}
-    with engines.OPEN[name](**few) as pool, pytest.raises(SettingsError, match="a process died"):
+def test_a_task_that_no_worker_survives_is_one_clear_error(name, living, request, parts, monkeypatch):
+    if name == "dask":  # after one death, not after three
+        cluster = request.getfixturevalue("dask").cluster
+        monkeypatch.setattr(cluster.scheduler, "allowed_failures", 1)
+    with mortal(name, living) as pool, pytest.raises(SettingsError, match="a process died"):
         try_study("setup", str(parts / "a.stl"), Killing(pool))
 
 
@@ -226,9 +237,11 @@ def test_an_executor_may_know_little_of_its_end(parts, tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def by_command(parts, tmp_path_factory):
-    return made_by_command(
-        parts, tmp_path_factory.mktemp("serial"), "--executor", "serial", before=[sys.executable]
-    )
+    """What the command writes without workers, here."""
+    out = tmp_path_factory.mktemp("serial")
+    words = ["batch", str(parts), "--out", str(out), "--quiet", "--executor", "serial", *WORDS]
+    assert cli.main(words) == cli.DONE_WITH_ERRORS
+    return contents(out)
 
 
 @pytest.mark.slow
@@ -240,11 +253,7 @@ def test_the_command_on_mpi_makes_the_same_files(parts, by_command, tmp_path, mo
 
 
 @pytest.mark.slow
-def test_the_command_on_a_scheduler_of_dask_makes_the_same_files(parts, by_command, tmp_path):
-    distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
-        address = cluster.scheduler_address.replace("tcp://", "dask://")
-        assert (
-            made_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable])
-            == by_command
-        )
+def test_the_command_on_a_scheduler_of_dask_makes_the_same_files(dask, parts, by_command, tmp_path):
+    address = dask.cluster.scheduler_address.replace("tcp://", "dask://")
+    made = made_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable])
+    assert made == by_command

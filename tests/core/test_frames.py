@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.orientation import axis_field, find_frames
 from freecad_fiveaxis.core.passes import frame_passes
-from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline import job, mill_context
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -241,6 +241,18 @@ def ball_in_frames():
     return from_triangles(sphere(14.0, 30, 44, (0, 0, 40)))
 
 
+FOUND = {}
+"""The frames of a part, found once for all passes in them: these and what they leave to others change
+nothing of where the part is seen from."""
+
+
+def find_once(mesh, *given, **more):
+    name = mesh.vertex.tobytes()
+    if name not in FOUND:
+        FOUND[name] = find_frames.find_frames(mesh, *given, **more)
+    return FOUND[name]
+
+
 def milled_and_frames(mesh, overlap, **given):
     """The result, and which frame cuts what, as the strategy was told."""
     seen, field_of = [], frame_passes.FramePasses.field
@@ -252,6 +264,7 @@ def milled_and_frames(mesh, overlap, **given):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(frame_passes.FramePasses, "field", remember)
         patch.setattr(frame_passes, "OVERLAP", overlap)
+        patch.setattr(mill_context, "find_frames", find_once)
         return milled(mesh, **given), seen[0]
 
 

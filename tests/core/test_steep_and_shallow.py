@@ -227,9 +227,16 @@ def test_every_place_is_as_near_to_a_pass_as_with_the_worse_of_both_alone(name, 
     mesh, keep = cut_of(name)
     contact, _ = laid(mesh, 35, strategy, keep=keep)
     point, slope = spread(mesh, keep)
-    own = [off(alone(mesh, one, keep)[0], point) for one in ("zlevel", strategy)]
+    own = [off_alone(name, one) for one in ("zlevel", strategy)]
     worst = max(own[0][slope > math.radians(37)].max(), own[1][slope < math.radians(33)].max())
     assert off(contact, point).max() <= max(worst, 0.5 * STEP) * 1.1 + 0.05
+
+
+@lru_cache
+def off_alone(name, strategy):
+    """How far these places of a part are from the passes of one strategy alone."""
+    mesh, keep = cut_of(name)
+    return off(alone(mesh, strategy, keep)[0], spread(mesh, keep)[0])
 
 
 def spread(mesh, keep):
@@ -274,8 +281,8 @@ def test_nothing_is_told_of_what_the_other_strategy_cuts():
 def test_at_the_rim_of_a_strip_no_planes_are_too_far_apart(monkeypatch):
     """Behind the rim of the fillet's strip the next level plane is on the ends of the box, 20 mm off."""
     mesh = filleted_box(20.0, 12.0, 4.0, 12)
-    keep, options = mesh.normal[:, 2] > -0.5, PassOptions(scallop=0.02)
-    found = Region(mesh, keep, BALL, flat_interval(BALL, 0.02))
+    keep, options = mesh.normal[:, 2] > -0.5, PassOptions(scallop=SCALLOP)
+    found = Region(mesh, keep, BALL, STEP)
     assert "least-interval" not in [one.code for one in lay_by_slope(found, options, of_scallop(40))[1]]
     monkeypatch.setattr(steep_and_shallow, "_at_rim", lambda *_: False)
     told = next(
