@@ -25,7 +25,7 @@ from .turning import turn_into_planes
 
 
 @dataclass(frozen=True, eq=False)
-class InForce:
+class LineState:
     """One row a line, (lines,): ``axes``: the word of each axis, and how it is meant; ``mode`` of motion;
     ``on``: whether the controller guides the tip; ``planes``: the tilted ones, None where there are none."""
 
@@ -35,7 +35,7 @@ class InForce:
     planes: Planes | None
 
 
-def find_in_force(source: Source, kinematics: Chain) -> tuple[InForce, tuple[Finding, ...]]:
+def find_line_states(source: Source, kinematics: Chain) -> tuple[LineState, tuple[Finding, ...]]:
     """Return what is in force in each line, and the findings of switches and of planes."""
     lines, grammar = source.lines, source.grammar
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
@@ -45,7 +45,7 @@ def find_in_force(source: Source, kinematics: Chain) -> tuple[InForce, tuple[Fin
     planes = planes_of(lines, grammar, dynamic)
     if planes is not None:
         mode, on = planes.modes(mode, on)
-    return InForce(axes, mode, on, planes), findings
+    return LineState(axes, mode, on, planes), findings
 
 
 def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
@@ -74,7 +74,7 @@ def _find_states(events: list[tuple[Ints, bool]], count: int) -> Bools:
 
 
 def find_motion_lines(
-    source: Source, state: InForce, kinematics: Chain
+    source: Source, state: LineState, kinematics: Chain
 ) -> tuple[MotionLines, tuple[Finding, ...]]:
     """Return the lines that are blocks, those of a safe start too, and the findings of turning lines. Raises
     ProgramError where there are none."""
@@ -93,7 +93,7 @@ def find_motion_lines(
     return MotionLines(at, turned.words, mode, on, vector, meaning), turned.findings
 
 
-def _find_moving(source: Source, state: InForce) -> Ints:
+def _find_moving(source: Source, state: LineState) -> Ints:
     """Return the lines that are blocks."""
     lines, mode, grammar = source.lines, state.mode, source.grammar
     moving = np.logical_or.reduce([kind != 0 for _, kind in state.axes])
@@ -131,7 +131,7 @@ def _no_motion(before: tuple[Finding, ...], letters: str) -> ProgramError:
     )
 
 
-def _tool_vectors(lines: Lines, state: InForce) -> Floats:
+def _tool_vectors(lines: Lines, state: LineState) -> Floats:
     """Return the tool axis (lines, 3) that each guided line gives as a vector, NaN where none."""
     vector = np.where(state.on[:, None], lines.columns(codes.VECTOR), np.nan)
     if not np.isin(lines.code, codes.VECTORS_ON).any():

@@ -43,7 +43,7 @@ from .findings import (
 )
 from .lines import UNTOLD, Assumed
 from .machine_moves import find_gaps, leave_out_gaps
-from .motion_lines import find_in_force, find_motion_lines
+from .motion_lines import find_line_states, find_motion_lines
 from .positions import find_moves
 from .source import read_source
 from .turning import plane_findings
@@ -68,7 +68,7 @@ def read_nc(
     progress("reading NC", 0.0)
     source = read_source(text, kinematics, dialect, assumed, progress)
     lines, grammar, words = source.lines, source.grammar, source.lines.words
-    state, switched = find_in_force(source, kinematics)
+    state, switched = find_line_states(source, kinematics)
     moving, turned = find_motion_lines(source, state, kinematics)
     moving, bent = apply_angles(lines, moving)
     motions = find_moves(moving, kinematics, state.planes)
