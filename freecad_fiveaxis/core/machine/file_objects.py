@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The objects of a machine file, as a machine.
+"""The objects of a machine file, and the machine that they say.
 
 unit      lengths are mm, or inches where ``machine.units`` says imperial; angles are degrees; rates are per
           minute.
@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.base.sentences import say
 
-from .bodies import MachineBody
+from .bodies_file import read_bodies, write_bodies
 from .keys import (
     JsonObject,
     as_number,
@@ -57,6 +57,8 @@ INCH = 25.4
 UNITS = {"metric": 1.0, "imperial": INCH}
 KINDS = {"linear": False, "rotary": True, "angular": True}  # "angular" is how older files spell it
 ROLES = ("table_linear", "table_rotary", "head_linear", "head_rotary")
+FREECAD_VERSION = "26.3.0"
+"""The first version with a Machine editor; its format is what is written."""
 KEYS = ("type", "role", "parent", "joint", "limits", "max_velocity")
 """What every axis must have."""
 
@@ -126,16 +128,10 @@ def _extra(data: JsonObject, unit: float) -> dict[str, Any]:
         "safe_start": lambda key: _safe_start(get_object(extra, where, key), f"{where}{key}.", unit),
         "rapids": lambda key: get_choice(extra, where, key, RAPIDS),
         "table": lambda key: unit * get_number(extra, where, key),
-        "bodies": lambda key: _bodies(extra[key], where + key, unit),
+        "bodies": lambda key: read_bodies(extra[key], where + key, unit),
         "no_motion": lambda key: get_names(extra, where, key),
     }
     return {key: read(key) for key, read in readers.items() if key in extra}
-
-
-def _bodies(given: Any, where: str, unit: float) -> tuple[MachineBody, ...]:
-    from .bodies_file import read_bodies  # here, for few machines have any, and lists are to come at once
-
-    return read_bodies(given, where, unit)
 
 
 def _safe_start(given: JsonObject, where: str, unit: float) -> SafeStart:
@@ -266,3 +262,84 @@ def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str
             raise fail("machine.axes", problem, rivals)
     plain = [chain for chain in chains if chain not in turning]
     return [letter for chain in plain + turning for letter in chain]
+
+
+def write_objects(machine: Machine) -> dict[str, Any]:
+    """Return the objects of a machine file. Raises MachineError for an axis without a maximum rate."""
+    return {
+        "freecad_version": FREECAD_VERSION,
+        "machine": {
+            "name": machine.name,
+            "manufacturer": "",
+            "description": machine.description,
+            "units": "metric",
+            "kinematics": {
+                "base_frame": {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]},
+                "tcp_supported": False,
+            },
+            "axes": {
+                letter: _axis_data(machine, letter)
+                for letter in sorted(axis.letter for axis in machine.fitted)
+            },
+            "toolheads": [{"id": "toolhead1", "name": "Spindle", "toolhead_type": "rotary"}],
+        },
+        "output": {"units": "metric"},
+        "postprocessor": {"file_name": machine.controller or "linuxcnc", "properties": {}},
+        "processing": {"tool_change": True},
+        "version": VERSION,
+        "fiveaxis": {
+            "gauge_point": list(machine.gauge_point),
+            "origin": list(machine.origin),
+            "singular_cone": _degrees(machine.singular_cone),
+            "controller": machine.controller,
+            "safe_start": _safe_start_data(machine.safe_start),
+            **({"rapids": machine.rapids} if machine.rapids else {}),
+            **({} if machine.table is None else {"table": machine.table}),
+            **({"bodies": write_bodies(machine.bodies)} if machine.bodies else {}),
+            **({"no_motion": list(machine.no_motion)} if machine.no_motion else {}),
+        },
+    }
+
+
+def _safe_start_data(start: SafeStart) -> dict[str, Any]:
+    return {"retract": start.retract} | ({} if start.z is None else {"Z": start.z})
+
+
+def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
+    axis = machine.axes[machine.letters.index(letter)]
+    if math.isinf(axis.max_rate):
+        raise MachineError(
+            say("axis {letter} has no maximum rate; give one, the machine file needs it", letter=letter),
+            letter,
+        )
+    outwards = [other.letter for other in machine.fitted if other.side == axis.side]
+    outwards = outwards[::-1] if axis.side == "table" else outwards
+    place = outwards.index(letter)
+    in_file: Callable[[float], float] = _degrees if axis.rotary else float
+    data = {
+        "type": "rotary" if axis.rotary else "linear",
+        "role": f"{axis.side}_{'rotary' if axis.rotary else 'linear'}",
+        "parent": outwards[place - 1] if place else None,
+        "sequence": place,
+        "joint": {"origin": list(axis.point), "axis": list(axis.direction)},
+        "limits": {"min": max(in_file(axis.low), -UNLIMITED), "max": min(in_file(axis.high), UNLIMITED)},
+        "max_velocity": in_file(axis.max_rate),
+    }
+    if not math.isinf(axis.max_acceleration):
+        data["max_acceleration"] = in_file(axis.max_acceleration)
+    if axis.rotary:
+        data.update(solution_preference="shortest", allow_flip=True, wrap_strategy=axis.wrap)
+    return data
+
+
+def _degrees(radians: float) -> float:
+    """Return the shortest number of degrees that is read back as exactly these radians, where there is
+    one."""
+    degrees = math.degrees(radians)
+    if math.isinf(degrees):
+        return degrees
+    beside = [math.nextafter(degrees, way) for way in (-math.inf, math.inf)]
+    for candidate in (*(round(degrees, digits) for digits in range(15)), degrees, *beside):
+        if math.radians(candidate) == radians:
+            return candidate
+    return degrees

@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import difflib
 import json
-import math
 import os
 import re
 import reprlib
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
@@ -21,17 +20,11 @@ from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.base.files import read_bytes, write_whole
 from freecad_fiveaxis.core.base.sentences import say
 
-from .file_objects import UNLIMITED, VERSION, read_machine
-from .keys import JsonObject, parse_json
 from .model import Machine
-from .safe_start import SafeStart
 
 SUFFIX = ".fcm"
 VECTOR = re.compile(r"\[\s*\n([^\[\]{}\"]*)\n\s*\]")
 """A list of numbers that json has spread over lines; a line break never stands inside a string."""
-
-FREECAD_VERSION = "26.3.0"
-"""The first version with a Machine editor; its format is what is written."""
 
 
 @cache
@@ -99,6 +92,9 @@ def _beside(machine: Machine, path: Path) -> Machine:
 def _read(content: bytes) -> Machine:
     """Return a window reads the same few files with every letter that is typed (1.5 ms each); what a file
     says now counts."""
+    from .file_objects import read_machine  # here, for lists are to come at once
+    from .keys import parse_json
+
     return read_machine(parse_json(content))
 
 
@@ -127,10 +123,12 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
 def machine_bytes(machine: Machine) -> bytes:
     """Return the machine as the text of a ``.fcm`` file. Raises MachineError for an axis without a maximum
     rate."""
-    return file_bytes(_data(machine))
+    from .file_objects import write_objects
+
+    return file_bytes(write_objects(machine))
 
 
-def file_bytes(data: JsonObject) -> bytes:
+def file_bytes(data: Mapping[str, Any]) -> bytes:
     """Return the objects of a machine file as its text, each vector in one line."""
     text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(data, indent=4)) + "\n"
     return text.encode()
@@ -140,89 +138,3 @@ def check_new(path: str | os.PathLike[str]) -> None:
     """No machine is lost: raises FileError where the file exists already."""
     if os.path.exists(path):
         raise FileError(say("{target} exists already; choose another name", target=path), os.fspath(path))
-
-
-def _data(machine: Machine) -> dict[str, Any]:
-    return {
-        "freecad_version": FREECAD_VERSION,
-        "machine": {
-            "name": machine.name,
-            "manufacturer": "",
-            "description": machine.description,
-            "units": "metric",
-            "kinematics": {
-                "base_frame": {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]},
-                "tcp_supported": False,
-            },
-            "axes": {
-                letter: _axis_data(machine, letter)
-                for letter in sorted(axis.letter for axis in machine.fitted)
-            },
-            "toolheads": [{"id": "toolhead1", "name": "Spindle", "toolhead_type": "rotary"}],
-        },
-        "output": {"units": "metric"},
-        "postprocessor": {"file_name": machine.controller or "linuxcnc", "properties": {}},
-        "processing": {"tool_change": True},
-        "version": VERSION,
-        "fiveaxis": {
-            "gauge_point": list(machine.gauge_point),
-            "origin": list(machine.origin),
-            "singular_cone": _degrees(machine.singular_cone),
-            "controller": machine.controller,
-            "safe_start": _safe_start_data(machine.safe_start),
-            **({"rapids": machine.rapids} if machine.rapids else {}),
-            **({} if machine.table is None else {"table": machine.table}),
-            **({"bodies": _bodies_data(machine)} if machine.bodies else {}),
-            **({"no_motion": list(machine.no_motion)} if machine.no_motion else {}),
-        },
-    }
-
-
-def _bodies_data(machine: Machine) -> list[dict[str, Any]]:
-    from .bodies_file import write_bodies
-
-    return write_bodies(machine.bodies)
-
-
-def _safe_start_data(start: SafeStart) -> dict[str, Any]:
-    return {"retract": start.retract} | ({} if start.z is None else {"Z": start.z})
-
-
-def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
-    axis = machine.axes[machine.letters.index(letter)]
-    if math.isinf(axis.max_rate):
-        raise MachineError(
-            say("axis {letter} has no maximum rate; give one, the machine file needs it", letter=letter),
-            letter,
-        )
-    outwards = [other.letter for other in machine.fitted if other.side == axis.side]
-    outwards = outwards[::-1] if axis.side == "table" else outwards
-    place = outwards.index(letter)
-    in_file: Callable[[float], float] = _degrees if axis.rotary else float
-    data = {
-        "type": "rotary" if axis.rotary else "linear",
-        "role": f"{axis.side}_{'rotary' if axis.rotary else 'linear'}",
-        "parent": outwards[place - 1] if place else None,
-        "sequence": place,
-        "joint": {"origin": list(axis.point), "axis": list(axis.direction)},
-        "limits": {"min": max(in_file(axis.low), -UNLIMITED), "max": min(in_file(axis.high), UNLIMITED)},
-        "max_velocity": in_file(axis.max_rate),
-    }
-    if not math.isinf(axis.max_acceleration):
-        data["max_acceleration"] = in_file(axis.max_acceleration)
-    if axis.rotary:
-        data.update(solution_preference="shortest", allow_flip=True, wrap_strategy=axis.wrap)
-    return data
-
-
-def _degrees(radians: float) -> float:
-    """Return the shortest number of degrees that is read back as exactly these radians, where there is
-    one."""
-    degrees = math.degrees(radians)
-    if math.isinf(degrees):
-        return degrees
-    beside = [math.nextafter(degrees, way) for way in (-math.inf, math.inf)]
-    for candidate in (*(round(degrees, digits) for digits in range(15)), degrees, *beside):
-        if math.radians(candidate) == radians:
-            return candidate
-    return degrees

@@ -117,18 +117,15 @@ def _no_motion(before: tuple[Finding, ...], letters: str) -> ProgramError:
     the cause."""
     lost = next((found for found in before if found.code == codes.MACRO[0]), None)
     if lost is None:
-        return ProgramError(
-            say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), letters
-        )
-    return ProgramError(
-        say(
+        text = say("the file holds no motion blocks: no axis word of this machine under G0 or G1")
+    else:
+        text = say(
             "all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: "
             "{text}",
             line=lost.line or 0,
             text=lost.text,
-        ),
-        letters,
-    )
+        )
+    return ProgramError(text, letters)
 
 
 def _tool_vectors(lines: Lines, state: LineState) -> Floats:
