@@ -6,6 +6,7 @@ from __future__ import annotations
 from freecad_fiveaxis.core.pipeline.settings import SETUP, SetupSettings, option_fields
 
 from .properties import (
+    FINDINGS,
     FINGERPRINT,
     QT_TRANSLATE_NOOP,
     READ_ONLY,
@@ -55,11 +56,7 @@ PROPERTIES = (
         "Verdict", "App::PropertyString", "Result",
         QT_TRANSLATE_NOOP("App::Property", "What is recommended, in a plain sentence"), "", RESULT,
     ),
-    Property(
-        "Findings", "App::PropertyStringList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [],
-        RESULT,
-    ),
+    FINDINGS,
     Property(
         "UpToDate", "App::PropertyBool", "Result",
         QT_TRANSLATE_NOOP("App::Property", "The map is of the toolpath as it is now; if it is not, try the "
