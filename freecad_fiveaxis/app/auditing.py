@@ -23,12 +23,12 @@ from .properties import (
     HIDDEN,
     OUTPUT,
     QT_TRANSLATE_NOOP,
-    RESULTS,
     WORK_ZERO,
     Property,
     list_drawn_tool,
     setting_properties,
 )
+from .result_properties import RESULTS
 from .schema import Proxy, is_restored
 from .selection import SelectionError
 

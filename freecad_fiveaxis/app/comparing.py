@@ -20,8 +20,8 @@ from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.corrections import CURES
 
 from .long_work import listening, run
+from .reports import write_report
 from .selection import SelectionError
-from .setups import write_report
 from .spreading import processes
 from .toolpath import Toolpath
 
@@ -70,4 +70,4 @@ def compare(
 def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:
     """Write the table as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a
     file that is there."""
-    write_report(lambda: comparison, file, overwrite)
+    write_report(trials.REPORTS, lambda: comparison, file, overwrite)

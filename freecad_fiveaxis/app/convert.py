@@ -35,13 +35,13 @@ from . import wording
 from .facets import STL, Facets, kernel_of
 from .properties import (
     MACHINES_OWN,
-    RESULTS,
     cutter_values,
     default_value,
     list_options,
     property_name,
     property_value,
 )
+from .result_properties import RESULTS
 from .selection import empty, holder_of
 
 _HEADER = 84

@@ -6,7 +6,15 @@ from __future__ import annotations
 
 from freecad_fiveaxis.core.pipeline.settings import REACH
 
-from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, RESULT, WORK_ZERO, Property, setting_properties
+from .properties import (
+    FINDINGS,
+    FINGERPRINT,
+    QT_TRANSLATE_NOOP,
+    RESULT,
+    WORK_ZERO,
+    Property,
+    setting_properties,
+)
 
 ANY_ANGLE = 180.0
 """deg: the tool may lean as far as the machine turns."""
@@ -100,11 +108,7 @@ PROPERTIES = (
         "Verdict", "App::PropertyString", "Result",
         QT_TRANSLATE_NOOP("App::Property", "How much the tool reaches, in a plain sentence"), "", RESULT,
     ),
-    Property(
-        "Findings", "App::PropertyStringList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [],
-        RESULT,
-    ),
+    FINDINGS,
     Property(
         "UpToDate", "App::PropertyBool", "Result",
         QT_TRANSLATE_NOOP("App::Property", "The map is of the part and the settings as they are now"), False,

@@ -13,15 +13,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from freecad_fiveaxis.core.base.errors import FileError
-from freecad_fiveaxis.core.base.files import check_writable, write_whole
 from freecad_fiveaxis.core.base.progress import Progress
-from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.calibration import tasks as workshop
 from freecad_fiveaxis.core.pipeline import outputs
 from freecad_fiveaxis.core.pipeline.settings import RECOVER, Settings, build_settings
 
-from . import machines
+from . import machines, reports
 from .long_work import run
 
 
@@ -54,15 +51,4 @@ def write(done: workshop.Recovered) -> str:
 def write_report(done: workshop.Work, file: str | os.PathLike[str], overwrite: bool = False) -> None:
     """Write what was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a
     file that is there."""
-    ending = os.path.splitext(os.fspath(file))[1].lower()
-    if ending not in workshop.REPORTS:
-        raise FileError(
-            say("{file} needs one of the endings {reports}", file=file, reports=", ".join(workshop.REPORTS)),
-            file,
-        )
-    check_writable(file)
-    if not overwrite and os.path.lexists(file):
-        raise FileError(
-            say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file
-        )
-    write_whole(file, workshop.REPORTS[ending](done).encode("utf-8", "backslashreplace"))
+    reports.write_report(workshop.REPORTS, lambda: done, file, overwrite)

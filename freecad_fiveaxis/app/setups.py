@@ -26,20 +26,12 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
-from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, SettingsError
-from freecad_fiveaxis.core.base.files import check_writable, write_whole
+from freecad_fiveaxis.core.base.errors import FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Angle, say
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.pipeline.options import load_setup
-from freecad_fiveaxis.core.pipeline.settings import (
-    MILL,
-    SETUP,
-    HeadSettings,
-    SetupSettings,
-    build_settings,
-    option_fields,
-)
+from freecad_fiveaxis.core.pipeline.settings import MILL, SETUP, HeadSettings, build_settings
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.studies.setup_map import list_marked_rows, verdict
@@ -47,97 +39,19 @@ from freecad_fiveaxis.core.studies.setup_map import list_marked_rows, verdict
 from . import changes, convert, wording
 from .long_work import is_open, listening, run, take_back
 from .plain_errors import hide_trace
-from .properties import (
-    FINGERPRINT,
-    QT_TRANSLATE_NOOP,
-    READ_ONLY,
-    RESULT,
-    Property,
-    default_value,
-    property_name,
-    setting_properties,
-)
+from .properties import Property, default_value, property_name
+from .reports import write_report
 from .results import Task
 from .schema import Proxy
 from .selection import SelectionError
+from .setup_properties import LEAVES, OWN, PROPERTIES
 from .spreading import processes
 from .toolpath import Toolpath, check_fixtures
 
-LEAVES = tuple(leaf for cls, leaf in option_fields(SETUP) if cls is SetupSettings)
-OWN = tuple(property_name(leaf.name) for leaf in LEAVES)
 BEST, PRESENT, BEYOND = "setup-best", "setup-present", "setup-beyond-limits"
 """Kinds of places that have a look of their own."""
 FLOOR = 1e-6
 """mm: what is below is coloured as this."""
-
-PROPERTIES = (
-    Property(
-        "Path", "App::PropertyLinkGlobal", "Base",
-        QT_TRANSLATE_NOOP("App::Property", "The toolpath whose part is to be clamped"),
-        None, READ_ONLY,
-    ),
-    *(one for one in setting_properties(SETUP) if one.name in OWN),
-    Property(
-        "Recommended", "App::PropertyVectorDistance", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Where the work zero should stand, in the machine frame"),
-        (0.0, 0.0, 0.0), RESULT,
-    ),
-    Property(
-        "RecommendedTurn", "App::PropertyAngle", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "How far the part should be turned about Z, counter-clockwise"),
-        0.0, RESULT,
-    ),
-    Property(
-        "DeviationBefore", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Largest deviation where the work zero stood"), 0.0, RESULT,
-    ),
-    Property(
-        "DeviationAfter", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Largest deviation in the recommended setup"), 0.0, RESULT,
-    ),
-    Property(
-        "TimeBefore", "App::PropertyTime", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Time of the program where the work zero stood"), 0.0, RESULT,
-    ),
-    Property(
-        "TimeAfter", "App::PropertyTime", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Time of the program in the recommended setup"), 0.0, RESULT,
-    ),
-    Property(
-        "Verdict", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What is recommended, in a plain sentence"), "", RESULT,
-    ),
-    Property(
-        "Findings", "App::PropertyStringList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [],
-        RESULT,
-    ),
-    Property(
-        "UpToDate", "App::PropertyBool", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "The map is of the toolpath as it is now; if it is not, try the "
-            "setups again"),
-        False, RESULT,
-    ),
-    Property(
-        "Centre", "App::PropertyVectorDistance", "Map",
-        QT_TRANSLATE_NOOP("App::Property", "The work zero in the machine frame about which setups were "
-            "tried"),
-        (0.0, 0.0, 0.0), RESULT,
-    ),
-    Property(
-        "Places", "App::PropertyVectorList", "Map",
-        QT_TRANSLATE_NOOP("App::Property", "Where the work zeros of the map lie in the document"), [], RESULT,
-    ),
-    Property(
-        "Kinds", "App::PropertyStringList", "Map", QT_TRANSLATE_NOOP("App::Property", "What each place is"),
-        [], RESULT,
-    ),
-    Property(
-        "Deviations", "App::PropertyFloatList", "Map",
-        QT_TRANSLATE_NOOP("App::Property", "The largest deviation at each place, mm"), [], RESULT,
-    ),
-    FINGERPRINT,
-)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -338,24 +252,7 @@ def apply(obj: Any) -> Any:
 def write_page(obj: Any, file: str | os.PathLike[str], overwrite: bool = False) -> None:
     """Write the map as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file
     that is there."""
-    write_report(lambda: trial_of(obj), file, overwrite)
-
-
-def write_report(trial: Any, file: str | os.PathLike[str], overwrite: bool) -> None:
-    """Write what ``trial()`` gives, as the ending of the file says. A file that is there is replaced only
-    where asked."""
-    ending = os.path.splitext(os.fspath(file))[1].lower()
-    if ending not in trials.REPORTS:
-        raise FileError(
-            say("{file} needs one of the endings {reports}", file=file, reports=", ".join(trials.REPORTS)),
-            file,
-        )
-    check_writable(file)
-    if not overwrite and os.path.lexists(file):
-        raise FileError(
-            say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file
-        )
-    write_whole(file, trials.REPORTS[ending](trial()).encode("utf-8", "backslashreplace"))
+    write_report(trials.REPORTS, lambda: trial_of(obj), file, overwrite)
 
 
 def scale(obj: Any) -> Scale:

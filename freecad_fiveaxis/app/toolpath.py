@@ -18,7 +18,8 @@ from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings
 
 from . import compared, convert, guides, job_setup, results
 from .plain_errors import hide_trace
-from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
+from .properties import QT_TRANSLATE_NOOP, WORK_ZERO, Property, setting_properties
+from .result_properties import RESULTS
 from .schema import Proxy
 from .selection import SelectionError, is_mesh
 

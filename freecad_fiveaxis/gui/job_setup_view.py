@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .view_providers import View
+from .views import View
 
 
 class JobSetupView(View):

@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD
 
 from . import redraw, view_properties
-from .view_providers import MapView, kind_of
+from .views import MapView, kind_of
 
 
 class ReachMapView(MapView):

@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD
 
 from . import redraw, view_properties
-from .view_providers import PictureView
+from .views import PictureView
 
 
 class RestMapView(PictureView):

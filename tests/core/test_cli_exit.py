@@ -18,6 +18,7 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import files
+from freecad_fiveaxis.core.cli import tasks
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.pipeline import job, job_file
 
@@ -88,7 +89,7 @@ def test_the_traceback_is_shown_where_it_is_asked_for(nc, monkeypatch, capsys):
 
 
 def test_a_fault_after_the_files_are_written_says_so(nc, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(cli, "_show_report", lambda parts, written: 1 / 0)
+    monkeypatch.setattr(tasks, "_show_report", lambda parts, written: 1 / 0)
     assert run("audit", nc, *AUDIT, "--blocks", tmp_path / "a.csv") == cli.FAULT
     assert f"written before: {tmp_path / 'a.csv'};" in one_line(capsys)
 

@@ -13,7 +13,7 @@ from typing import Any, TextIO
 
 from .errors import FileError
 from .progress import Progress, silent
-from .sentences import say
+from .sentences import one_line, say
 
 GONE = (errno.EPIPE, errno.EINVAL) if sys.platform == "win32" else (errno.EPIPE,)
 """How a system says that the reader of a pipe has gone away; Windows takes it for an invalid argument."""
@@ -38,6 +38,17 @@ def show(text: str, stream: TextIO | None) -> None:
         raise FileError(
             say("the text cannot be shown: {strerror}", strerror=error.strerror or error), text
         ) from error
+
+
+def complain(line: str) -> None:
+    """Show one line on stderr, as :func:`show_error`."""
+    show_error(one_line(line))
+
+
+def show_error(text: str) -> None:
+    """Show a text on stderr; where that cannot be written, the exit code is all that is left."""
+    with suppress(FileError):
+        show(text, sys.stderr)
 
 
 def _silence(stream: TextIO) -> None:

@@ -34,7 +34,7 @@ from freecad_fiveaxis.core.gouge.swept_motion import straight_motion
 from freecad_fiveaxis.core.tool.body import Body
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .near_links import with_margin
+from .near_links import take_path_rows, with_margin
 
 HALVINGS = 2
 """Times that the radius is halved where the arc is not free."""
@@ -220,7 +220,9 @@ def _put_in(path: CLPath, ends: Ends, arcs: Arcs, dropped: Ints) -> CLPath:
     source = np.concatenate([kept, np.repeat(ends.row, count)[new.ravel()]])[order]
     tip = np.concatenate([path.tip[kept], point[new]])[order]
     feed = np.concatenate([_feed_on_part(path, ends)[kept], _feeds(path, ends, arcs)[new]])[order]
-    return _rows(path, source, tip, feed, order >= len(kept))
+    new = order >= len(kept)
+    motion = np.where(new, np.int8(Motion.LINK), path.motion[source])
+    return take_path_rows(path, source, new, tip, path.axis[source], motion, feed)
 
 
 def _feed_on_part(path: CLPath, ends: Ends) -> Floats:
@@ -242,18 +244,6 @@ def _feeds(path: CLPath, ends: Ends, arcs: Arcs) -> Floats:
     direct = linked & ~arcs.apart
     feed[direct, -2] = path.feed[ends.outer[direct]]
     return feed
-
-
-def _rows(path: CLPath, source: Ints, tip: Floats, feed: Floats, new: Bools) -> CLPath:
-    """Return the path of these rows (n,): the ``new`` ones are links off the part with the axis of their
-    source."""
-    axis, row = path.axis[source], new[:, None]
-    return replace(
-        path, tip=tip, axis=axis, feed=feed, motion=np.where(new, np.int8(Motion.LINK), path.motion[source]),
-        contact=np.where(row, tip, path.contact[source]), normal=np.where(row, axis, path.normal[source]),
-        face=np.where(new, -1, path.face[source]), coedge=np.where(new, -1, path.coedge[source]),
-        pass_=np.where(new, -1, path.pass_[source]),
-    )  # fmt: skip
 
 
 def _findings(path: CLPath, ends: Ends, radius: Floats, wanted: float) -> tuple[Finding, ...]:

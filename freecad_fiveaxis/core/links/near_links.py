@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.gouge.search import which_enter
@@ -170,10 +170,18 @@ def _insert_links(path: CLPath, last: Ints, first: Ints, height: Floats) -> CLPa
     feed = np.concatenate([path.feed[kept], path.feed[last[up]], path.feed[last[up]]])
     source, lift, feed, new = source[order], lift[order], feed[order], order >= len(kept)
     axis = path.axis[source]
-    tip = path.tip[source] + lift[:, None] * axis
-    off, row = np.array([-1]), new[:, None]
+    motion = np.where(new, np.int8(Motion.LINK), path.motion[source])
+    return take_path_rows(path, source, new, path.tip[source] + lift[:, None] * axis, axis, motion, feed)
+
+
+def take_path_rows(
+    path: CLPath, source: Ints, new: Bools, tip: Floats, axis: Floats, motion: Bytes, feed: Floats
+) -> CLPath:
+    """Return the path of the rows ``source`` (n,) with these tips, axes, motions and feeds; those that are
+    ``new`` (n,) lie off the part."""
+    row, off = new[:, None], np.int64(-1)
     return replace(
-        path, tip=tip, axis=axis, feed=feed, motion=np.where(new, np.int8(Motion.LINK), path.motion[source]),
+        path, tip=tip, axis=axis, motion=motion, feed=feed,
         contact=np.where(row, tip, path.contact[source]), normal=np.where(row, axis, path.normal[source]),
         face=np.where(new, off, path.face[source]), coedge=np.where(new, off, path.coedge[source]),
         pass_=np.where(new, off, path.pass_[source]),

@@ -24,6 +24,8 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
+from .near_links import take_path_rows
+
 HEIGHTS = (5.0, 10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0)
 """mm, the lowest first."""
 
@@ -205,14 +207,8 @@ def _with_rows(
     lead = np.where(first, np.minimum(source + 1, len(path.tip) - 1), source)
     up = np.maximum(path.motion[lead], np.int8(Motion.LINK))
     motion = np.where(new, np.where(first, up, np.int8(Motion.RAPID)), path.motion[source])
-    row, off = new[:, None], np.int64(-1)
-    longer = replace(
-        path, tip=tip, axis=axis, motion=motion.astype(np.int8),
-        feed=np.where(motion == Motion.RAPID, 0.0, path.feed[np.where(new, lead, source)]),
-        contact=np.where(row, tip, path.contact[source]), normal=np.where(row, axis, path.normal[source]),
-        face=np.where(new, off, path.face[source]), coedge=np.where(new, off, path.coedge[source]),
-        pass_=np.where(new, off, path.pass_[source]),
-    )  # fmt: skip
+    feed = np.where(motion == Motion.RAPID, 0.0, path.feed[np.where(new, lead, source)])
+    longer = take_path_rows(path, source, new, tip, axis, motion.astype(np.int8), feed)
     findings = tuple(
         one if one.block is None else replace(one, block=int(moved[one.block])) for one in joints.findings
     )

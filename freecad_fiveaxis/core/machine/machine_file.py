@@ -1,81 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Machine files: FreeCAD's own ``.fcm`` (JSON, version 1), in and out, and the machines that come with the
-program.
-
-unit      lengths are mm, or inches where ``machine.units`` says imperial; angles are degrees; rates are per
-          minute.
-parent    the axis that carries this one, null for the base. The axes of the table, from the base outwards,
-          end at the work, those of the head at the tool. Linear axes that stand beside a rotary one on the
-          same parent are taken to lie nearer to the base; two rotary ones side by side leave the chain open
-          and are refused.
-acceleration ``max_acceleration`` of an axis, mm/s^2 (inches with imperial units) or degrees/s^2, is ours:
-          FreeCAD drops it when it saves. It may be missing.
-unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
-fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
-          ``singular_cone`` (degrees), ``controller``, ``rapids`` (interpolated, independent or unknown; the
-          controller's own where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to
-          a machine coordinate, ``Z``), ``table`` (height of its face, machine frame), ``bodies`` (what the
-          tool must not hit, :mod:`.bodies`) and ``no_motion`` (a list of functions that move nothing,
-          :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
-older     files from before the editor's release have keys of their own (:mod:`.older_layout`).
-
-What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it
-uses must be there and make sense: a guess about a machine is worse than a question.
+program. What stands in them: :mod:`.file_objects`.
 """
 
 from __future__ import annotations
 
 import difflib
 import json
-import math
 import os
 import re
 import reprlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.base.files import read_bytes, write_whole
-from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.base.sentences import say
 
-from .bodies import MachineBody
-from .keys import (
-    JsonObject,
-    as_number,
-    as_vector,
-    fail,
-    get_choice,
-    get_key,
-    get_names,
-    get_number,
-    get_object,
-    get_text,
-    parse_json,
-)
-from .model import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector
-from .older_layout import as_today
-from .safe_start import BY_MACHINE, RETRACTS, SafeStart
+from .model import Machine
 
 SUFFIX = ".fcm"
-VERSION = 1
-UNLIMITED = 99999.0
-INCH = 25.4
-
-UNITS = {"metric": 1.0, "imperial": INCH}
-KINDS = {"linear": False, "rotary": True, "angular": True}  # "angular" is how older files spell it
-ROLES = ("table_linear", "table_rotary", "head_linear", "head_rotary")
-KEYS = ("type", "role", "parent", "joint", "limits", "max_velocity")
-"""What every axis must have."""
-
 VECTOR = re.compile(r"\[\s*\n([^\[\]{}\"]*)\n\s*\]")
 """A list of numbers that json has spread over lines; a line break never stands inside a string."""
-
-FREECAD_VERSION = "26.3.0"
-"""The first version with a Machine editor; its format is what is written."""
 
 
 @cache
@@ -143,6 +92,9 @@ def _beside(machine: Machine, path: Path) -> Machine:
 def _read(content: bytes) -> Machine:
     """Return a window reads the same few files with every letter that is typed (1.5 ms each); what a file
     says now counts."""
+    from .file_objects import read_machine  # here, for lists are to come at once
+    from .keys import parse_json
+
     return read_machine(parse_json(content))
 
 
@@ -152,220 +104,6 @@ def _usable(path: Path) -> Path:
             say("{path} is no file name: it holds a null character", path=repr(str(path))), str(path)
         )
     return path
-
-
-# From the file's objects to the machine.
-
-
-def read_machine(data: Any) -> Machine:
-    """Read the objects of a machine file, as JSON has them. Raises MachineError, with the key."""
-    if not isinstance(data, dict):
-        raise MachineError(
-            say('the file holds {data} instead of an object with the key "machine"', data=reprlib.repr(data)),
-            data,
-        )
-    version = get_key(data, "", "version")
-    if isinstance(version, bool) or version != VERSION:
-        raise fail(
-            "version",
-            say(
-                "{version} cannot be read; only version {known} can",
-                version=reprlib.repr(version),
-                known=VERSION,
-            ),
-            version,
-        )
-    machine = get_object(data, "", "machine")
-    unit = UNITS[get_choice(machine, "machine.", "units", UNITS)]
-    name = get_text(machine, "machine.", "name").strip()
-    if not name:
-        raise fail("machine.name", say("the name is empty; give the machine one"), name)
-    axes = as_today(get_object(machine, "machine.", "axes"))
-    _check_whole(axes)
-    found = {letter: read_axis(letter, axes, unit) for letter in axes}
-    order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
-    description = get_text(machine, "machine.", "description") if "description" in machine else ""
-    return Machine(
-        name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit)
-    )
-
-
-def _check_whole(axes: JsonObject) -> None:
-    """One line for all keys that the axes lack, where they are several; a single one is named where it is
-    read."""
-    lacking = [
-        f"{letter}.{key}"
-        for letter, axis in axes.items()
-        if isinstance(axis, dict)
-        for key in KEYS
-        if key not in axis
-    ]
-    if len(lacking) > 1:
-        problem = say(
-            "the keys {lacking} are missing; add them (role: one of {roles}; parent: the axis that carries "
-            "this one, or null)",
-            lacking=", ".join(lacking),
-            roles=", ".join(ROLES),
-        )
-        raise fail("machine.axes", problem, lacking)
-
-
-def _extra(data: JsonObject, unit: float) -> dict[str, Any]:
-    """Return what stands under ``fiveaxis``, as fields of Machine; what does not keeps its default."""
-    where = "fiveaxis."
-    extra = get_object(data, "", "fiveaxis") if "fiveaxis" in data else {}
-    readers: dict[str, Callable[[str], Any]] = {
-        "gauge_point": lambda key: as_vector(extra[key], where + key, unit),
-        "origin": lambda key: as_vector(extra[key], where + key, unit),
-        "singular_cone": lambda key: math.radians(get_number(extra, where, key)),
-        "controller": lambda key: get_text(extra, where, key),
-        "safe_start": lambda key: _safe_start(get_object(extra, where, key), f"{where}{key}.", unit),
-        "rapids": lambda key: get_choice(extra, where, key, RAPIDS),
-        "table": lambda key: unit * get_number(extra, where, key),
-        "bodies": lambda key: _bodies(extra[key], where + key, unit),
-        "no_motion": lambda key: get_names(extra, where, key),
-    }
-    return {key: read(key) for key, read in readers.items() if key in extra}
-
-
-def _bodies(given: Any, where: str, unit: float) -> tuple[MachineBody, ...]:
-    from .bodies_file import read_bodies  # here, for few machines have any, and lists are to come at once
-
-    return read_bodies(given, where, unit)
-
-
-def _safe_start(given: JsonObject, where: str, unit: float) -> SafeStart:
-    retract = get_choice(given, where, "retract", RETRACTS)
-    spare = [key for key in given if key not in ("retract", *(("Z",) if retract == BY_MACHINE else ()))]
-    if spare:
-        raise fail(
-            where + spare[0],
-            say("retract {retract} takes no such key; leave it out", retract=retract),
-            given[spare[0]],
-        )
-    return SafeStart(retract, unit * get_number(given, where, "Z") if retract == BY_MACHINE else None)
-
-
-def read_axis(letter: str, axes: JsonObject, unit: float) -> Axis:
-    """Read one of the ``axes`` of a file whose lengths are ``unit`` mm. Raises MachineError, with the key."""
-    if letter not in LINEAR_LETTERS + ROTARY_LETTERS:
-        raise fail(
-            "machine.axes",
-            say("{letter} names no axis; use X Y Z and up to two of A B C", letter=reprlib.repr(letter)),
-            letter,
-        )
-    axis, where = get_object(axes, "machine.axes.", letter), f"machine.axes.{letter}."
-    rotary = KINDS[get_choice(axis, where, "type", KINDS)]
-    role = get_choice(axis, where, "role", ROLES)
-    if rotary != role.endswith("rotary"):
-        raise fail(
-            where + "role", say("{role} contradicts the type of the axis; make them agree", role=role), role
-        )
-    side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
-    direction, point = read_joint(axis, where, rotary, unit)
-    limits = get_object(axis, where, "limits")
-    low, high = (_limit(get_number(limits, where + "limits.", key), rotary, unit) for key in ("min", "max"))
-    rate = get_number(axis, where, "max_velocity")
-    rate = as_number(math.radians(rate) if rotary else rate * unit, where + "max_velocity")
-    wrap = get_text(axis, where, "wrap_strategy") if rotary and "wrap_strategy" in axis else "unwound"
-    acceleration = _acceleration(axis, where, rotary, unit)
-    return Axis(letter, rotary, side, direction, point, low, high, rate, wrap, acceleration)
-
-
-def _acceleration(axis: JsonObject, where: str, rotary: bool, unit: float) -> float:
-    """Return mm/s^2 or rad/s^2, infinite where the file does not say it."""
-    if "max_acceleration" not in axis:
-        return math.inf
-    given = get_number(axis, where, "max_acceleration")
-    return as_number(math.radians(given) if rotary else given * unit, where + "max_acceleration")
-
-
-def _limit(value: float, rotary: bool, unit: float) -> float:
-    value = value if rotary else value * unit
-    if abs(value) >= UNLIMITED:
-        return math.copysign(math.inf, value)
-    return math.radians(value) if rotary else value
-
-
-def read_joint(axis: JsonObject, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
-    """Read direction and point from {"origin", "axis"} or [[origin], [axis]]; old files have a linear axis's
-    swapped."""
-    joint, where = get_key(axis, where, "joint"), where + "joint"
-    if isinstance(joint, list):
-        if len(joint) != 2:
-            raise fail(where, say("{joint} is not [[origin], [axis]]", joint=reprlib.repr(joint)), joint)
-        joint = {"origin": joint[0], "axis": joint[1]}
-        if not rotary and joint["axis"] == [0, 0, 0]:
-            joint = {"origin": joint["axis"], "axis": joint["origin"]}
-    elif not isinstance(joint, dict):
-        raise fail(
-            where,
-            say('{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint=reprlib.repr(joint)),
-            joint,
-        )
-    origin, direction = (get_key(joint, where + ".", key) for key in ("origin", "axis"))
-    return as_vector(direction, where + ".axis"), as_vector(origin, where + ".origin", unit)
-
-
-def _parent(letter: str, axes: JsonObject) -> str | None:
-    where = f"machine.axes.{letter}."
-    parent = get_key(axes[letter], where, "parent")
-    if parent is not None and (not isinstance(parent, str) or parent not in axes):
-        problem = say(
-            "{parent} is no axis of this machine; name one, or null for the base", parent=reprlib.repr(parent)
-        )
-        raise fail(where + "parent", problem, parent)
-    return parent
-
-
-def _work_to_tool(axes: Mapping[str, Axis], parent: Mapping[str, str | None]) -> list[str]:
-    """Return the letters from the work over the base to the tool, from the links alone."""
-    for letter, carrier in parent.items():
-        if carrier is not None and axes[carrier].side != axes[letter].side:
-            sides = say(
-                "a {side} axis cannot stand on the {other} axis {carrier}",
-                side=axes[letter].side,
-                other=axes[carrier].side,
-                carrier=carrier,
-            )
-            raise fail(
-                f"machine.axes.{letter}.parent",
-                say("{sides}; name another, or null for the base", sides=sides),
-                carrier,
-            )
-    outwards = _outwards(None, axes, parent)
-    lost = [letter for letter in axes if letter not in outwards]
-    if lost:
-        raise fail(
-            "machine.axes",
-            say("{lost} carry one another in a circle; give one the parent null", lost=", ".join(lost)),
-            lost,
-        )
-    table = [letter for letter in outwards if axes[letter].side == "table"]
-    return table[::-1] + [letter for letter in outwards if axes[letter].side == "head"]
-
-
-def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str, str | None]) -> list[str]:
-    """Return the letters from ``carrier`` (itself left out) away from the base; chains of linear axes only
-    come first."""
-    chains = [
-        [letter, *_outwards(letter, axes, parent)] for letter in sorted(axes) if parent[letter] == carrier
-    ]
-    turning = [chain for chain in chains if any(axes[letter].rotary for letter in chain)]
-    for side in ("table", "head"):
-        rivals = [chain[0] for chain in turning if axes[chain[0]].side == side]
-        if len(rivals) > 1:
-            problem = say(
-                '{rivals} both stand on {carrier}; say by "parent" which carries which',
-                rivals=" and ".join(rivals),
-                carrier=carrier or say("the base"),
-            )
-            raise fail("machine.axes", problem, rivals)
-    plain = [chain for chain in chains if chain not in turning]
-    return [letter for chain in plain + turning for letter in chain]
-
-
-# From the machine to a file.
 
 
 def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool = False) -> None:
@@ -385,10 +123,12 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
 def machine_bytes(machine: Machine) -> bytes:
     """Return the machine as the text of a ``.fcm`` file. Raises MachineError for an axis without a maximum
     rate."""
-    return file_bytes(_data(machine))
+    from .file_objects import write_objects
+
+    return file_bytes(write_objects(machine))
 
 
-def file_bytes(data: JsonObject) -> bytes:
+def file_bytes(data: Mapping[str, Any]) -> bytes:
     """Return the objects of a machine file as its text, each vector in one line."""
     text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(data, indent=4)) + "\n"
     return text.encode()
@@ -398,89 +138,3 @@ def check_new(path: str | os.PathLike[str]) -> None:
     """No machine is lost: raises FileError where the file exists already."""
     if os.path.exists(path):
         raise FileError(say("{target} exists already; choose another name", target=path), os.fspath(path))
-
-
-def _data(machine: Machine) -> dict[str, Any]:
-    return {
-        "freecad_version": FREECAD_VERSION,
-        "machine": {
-            "name": machine.name,
-            "manufacturer": "",
-            "description": machine.description,
-            "units": "metric",
-            "kinematics": {
-                "base_frame": {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]},
-                "tcp_supported": False,
-            },
-            "axes": {
-                letter: _axis_data(machine, letter)
-                for letter in sorted(axis.letter for axis in machine.fitted)
-            },
-            "toolheads": [{"id": "toolhead1", "name": "Spindle", "toolhead_type": "rotary"}],
-        },
-        "output": {"units": "metric"},
-        "postprocessor": {"file_name": machine.controller or "linuxcnc", "properties": {}},
-        "processing": {"tool_change": True},
-        "version": VERSION,
-        "fiveaxis": {
-            "gauge_point": list(machine.gauge_point),
-            "origin": list(machine.origin),
-            "singular_cone": _degrees(machine.singular_cone),
-            "controller": machine.controller,
-            "safe_start": _safe_start_data(machine.safe_start),
-            **({"rapids": machine.rapids} if machine.rapids else {}),
-            **({} if machine.table is None else {"table": machine.table}),
-            **({"bodies": _bodies_data(machine)} if machine.bodies else {}),
-            **({"no_motion": list(machine.no_motion)} if machine.no_motion else {}),
-        },
-    }
-
-
-def _bodies_data(machine: Machine) -> list[dict[str, Any]]:
-    from .bodies_file import write_bodies
-
-    return write_bodies(machine.bodies)
-
-
-def _safe_start_data(start: SafeStart) -> dict[str, Any]:
-    return {"retract": start.retract} | ({} if start.z is None else {"Z": start.z})
-
-
-def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
-    axis = machine.axes[machine.letters.index(letter)]
-    if math.isinf(axis.max_rate):
-        raise MachineError(
-            say("axis {letter} has no maximum rate; give one, the machine file needs it", letter=letter),
-            letter,
-        )
-    outwards = [other.letter for other in machine.fitted if other.side == axis.side]
-    outwards = outwards[::-1] if axis.side == "table" else outwards
-    place = outwards.index(letter)
-    in_file: Callable[[float], float] = _degrees if axis.rotary else float
-    data = {
-        "type": "rotary" if axis.rotary else "linear",
-        "role": f"{axis.side}_{'rotary' if axis.rotary else 'linear'}",
-        "parent": outwards[place - 1] if place else None,
-        "sequence": place,
-        "joint": {"origin": list(axis.point), "axis": list(axis.direction)},
-        "limits": {"min": max(in_file(axis.low), -UNLIMITED), "max": min(in_file(axis.high), UNLIMITED)},
-        "max_velocity": in_file(axis.max_rate),
-    }
-    if not math.isinf(axis.max_acceleration):
-        data["max_acceleration"] = in_file(axis.max_acceleration)
-    if axis.rotary:
-        data.update(solution_preference="shortest", allow_flip=True, wrap_strategy=axis.wrap)
-    return data
-
-
-def _degrees(radians: float) -> float:
-    """Return the shortest number of degrees that is read back as exactly these radians, where there is
-    one."""
-    degrees = math.degrees(radians)
-    if math.isinf(degrees):
-        return degrees
-    beside = [math.nextafter(degrees, way) for way in (-math.inf, math.inf)]
-    for candidate in (*(round(degrees, digits) for digits in range(15)), degrees, *beside):
-        if math.radians(candidate) == radians:
-            return candidate
-    return degrees

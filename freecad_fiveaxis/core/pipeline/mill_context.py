@@ -4,6 +4,9 @@ axes."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import NamedTuple
+
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
@@ -30,7 +33,9 @@ from freecad_fiveaxis.core.passes import (
     standing_facets,
     with_room,
 )
+from freecad_fiveaxis.core.passes.boundary import Boundary
 from freecad_fiveaxis.core.passes.frames import Frames
+from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.passes.radial_passes import unit_axis
 
 from .avoided import facets_off, keep_off_of
@@ -44,6 +49,40 @@ from .settings import FRAMES, Settings
 from .settings.tree import FROM_AXIS
 
 
+class Area(NamedTuple):
+    """What may be machined of a mesh: ``facets`` (f,), None: all; within which ``boundary``, and what the
+    tool is to ``keep_off``, None where there is none; ``findings``: what is left out for that."""
+
+    facets: Bools | None
+    boundary: Boundary | None
+    keep_off: KeepOff | None
+    findings: tuple[Finding, ...]
+
+
+def find_area(settings: Settings, mesh: Mesh, faces: Bools | None, avoided: Bools | None) -> Area:
+    """Return what the settings let be machined of ``faces`` (f,), None: all, beside those ``avoided`` (f,),
+    None: none. Raises SettingsError, FileError."""
+    keep_off, boundary = keep_off_of(settings, mesh, avoided), boundary_of(settings)
+    inside, outside = facets_inside(settings, boundary, mesh, faces)
+    inside, near = facets_off(keep_off, mesh, inside)
+    return Area(
+        faces if boundary is None and keep_off is None else inside, boundary, keep_off, outside + near
+    )
+
+
+def begin_context(
+    settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress,
+    area: Area, fixtures: tuple[Fixture, ...] = (),
+) -> MillContext:  # fmt: skip
+    """Return the context in which all of the area is cut."""
+    joined, box = obstacles_of(mesh, fixtures, area.keep_off)
+    keep = np.ones(len(mesh.face), np.bool_) if area.facets is None else area.facets
+    return MillContext(
+        settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, area.facets,
+        area.boundary, None, area.keep_off, fixtures=fixtures,
+    )  # fmt: skip
+
+
 def mill_context(
     settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress,
     faces: Bools | None = None, fixtures: tuple[Fixture, ...] = (), avoided: Bools | None = None,
@@ -51,61 +90,48 @@ def mill_context(
     """Return the job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the
     facets to cut, None: all. ``fixtures``: what is kept clear of as the rest of the part is; ``avoided``
     (f,): the facets on faces to avoid, None: no such faces."""
-    keep_off = keep_off_of(settings, mesh, avoided)
-    joined, box = obstacles_of(mesh, fixtures, keep_off)
-    boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
-    inside, reports = facets_inside(settings, boundary, mesh, faces)
-    chosen = faces if boundary is None else inside
-    if keep_off is not None:
-        inside, near = facets_off(keep_off, mesh, inside)
-        reports, chosen = reports + near, inside
-    field, frames, bodies = None, None, None
+    area = find_area(settings, mesh, faces, avoided)
+    context = begin_context(settings, mesh, machine, kinematics, dialect, progress, area, fixtures)
     if settings.tool_axis.tool_axis == AUTO:
-        standing = find_standing(settings, mesh, faces)
-        faces = (~standing if faces is None else faces) & inside
-        check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
-        bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, fixtures, progress, MARGIN)
-        reacher = reacher_of(settings, machine, kinematics, mesh, bodies)
-        to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
-        reports += (*report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
-        if settings.passes.passes == FRAMES:
-            frames, keep, left_out = find_frames(
-                joined, to_cut, reacher, most, int(settings.passes.frames), progress
-            )
-        else:
-            field = find_axis_field(joined, to_cut, reacher, progress)
-            keep, left_out = select_facets(field, joined, to_cut, most, reacher)
-        keep = keep[: len(faces)]
-    elif settings.tool_axis.tool_axis == FROM_AXIS:
-        stand = axis_options(settings)
-        keep, left_out = facets_around(
-            mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen
-        )
+        context, left_out = _choose_with_axes(context, faces)
     else:
-        leans = (
-            keeps_its_axis(settings, machine) or settings.cutter.cutter.barrel is not None
-        )  # far from the normals
-        followed = None if leans else kinematics
-        keep, left_out = facets_within_limits(mesh, followed, most, chosen)
-    context = MillContext(
-        settings,
-        machine,
-        kinematics,
-        dialect,
-        box,
-        progress,
-        mesh,
-        keep,
-        field,
-        joined,
-        chosen,
-        boundary,
-        frames,
-        keep_off,
-        bodies,
-        fixtures,
-    )
-    return context, (*reports, *left_out)
+        keep, left_out = _choose_by_angle(context)
+        context = replace(context, keep=keep)
+    return context, area.findings + left_out
+
+
+def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillContext, tuple[Finding, ...]]:
+    """Return the context with the facets on which an axis is free, and these axes."""
+    settings, mesh, machine, progress = context.settings, context.mesh, context.machine, context.progress
+    most, standing = largest_axis_angle(settings, machine, mesh), find_standing(settings, mesh, faces)
+    facets = context.keep & ~standing
+    check_passes(settings, mesh, facets & facets_under_axes(mesh, most))
+    within = with_room(context.kinematics)
+    bodies = bodies_in_pose(settings, machine, within, mesh, context.fixtures, progress, MARGIN)
+    reacher = reacher_of(settings, machine, context.kinematics, mesh, bodies)
+    to_cut = np.append(facets, np.zeros(len(context.obstacles.face) - len(facets), np.bool_))
+    reports = report_standing(mesh, standing & context.keep) + report_part_in_table(settings, machine, mesh)
+    field, frames = None, None
+    if settings.passes.passes == FRAMES:
+        count = int(settings.passes.frames)
+        frames, keep, left_out = find_frames(context.obstacles, to_cut, reacher, most, count, progress)
+    else:
+        field = find_axis_field(context.obstacles, to_cut, reacher, progress)
+        keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher)
+    context = replace(context, keep=keep[: len(facets)], field=field, frames=frames, bodies=bodies)
+    return context, reports + left_out
+
+
+def _choose_by_angle(context: MillContext) -> tuple[Bools, tuple[Finding, ...]]:
+    """Return the facets (f,) over which the machine stands as the strategy wants."""
+    settings, machine, mesh, kinematics = context.settings, context.machine, context.mesh, context.kinematics
+    most = largest_axis_angle(settings, machine, mesh)
+    if settings.tool_axis.tool_axis == FROM_AXIS:
+        stand = axis_options(settings)
+        through, about = np.array(stand.through), unit_axis(stand.about)
+        return facets_around(mesh, kinematics, through, about, most, context.chosen)
+    far_from_normals = keeps_its_axis(settings, machine) or settings.cutter.cutter.barrel is not None
+    return facets_within_limits(mesh, None if far_from_normals else kinematics, most, context.chosen)
 
 
 def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
@@ -131,30 +157,23 @@ def find_region(
     options, cutter = pass_options(settings), settings.cutter.cutter
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
+    region = Region(mesh, keep, radius, interval, progress=progress, frames=frames)
     if cutter.touches_as_ball:
-        return Region(mesh, keep, radius, interval, progress=progress, frames=frames)
+        return region
     stands = [(settings.tool_axis.tool_axis, axis_options(settings))] if frames is None else stands_in(frames)
+    ways = [(cutter, mesh, keep, angle, *stand) for angle in travels(settings) for stand in stands]
 
     def find_radius(height: float) -> float:
         """Return the radius of the ball that leaves ``height`` mm at the same step, where that is least."""
-        return min(
-            spacing_radius(cutter, mesh, keep, angle, *stand, height)
-            for angle in travels(settings)
-            for stand in stands
-        )
+        return min(spacing_radius(*way, height) for way in ways)
 
     if scallop is None:
         assert options.stepover is not None
-        left = max(
-            scallop_of(cutter, mesh, keep, angle, *stand, options.stepover)
-            for angle in travels(settings)
-            for stand in stands
-        )
-        covered = 0.5 * flat_interval(find_radius(2.0 * left), 2.0 * left)
-        return Region(mesh, keep, radius, interval, progress=progress, frames=frames, covered=covered)
-    radius = find_radius(scallop)
-    if cutter.barrel is not None:
-        interval = flat_interval(radius, min(scallop, 0.5 * radius))
+        scallop = max(scallop_of(*way, options.stepover) for way in ways)
+    else:
+        radius = find_radius(scallop)
+        if cutter.barrel is not None:
+            interval = flat_interval(radius, min(scallop, 0.5 * radius))
+        region = replace(region, radius=radius, interval=interval, widest=1.0)
     twice = 2.0 * scallop
-    covered = 0.5 * flat_interval(find_radius(twice), twice)
-    return Region(mesh, keep, radius, interval, 1.0, progress, frames, covered)
+    return replace(region, covered=0.5 * flat_interval(find_radius(twice), twice))

@@ -31,17 +31,15 @@ from freecad_fiveaxis.core.passes import (
     find_pass_strategy,
     with_room,
 )
-from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.passes.scallop import flat_interval
 from freecad_fiveaxis.core.toolpath.cl_offset import cl_offset_path
 
-from .avoided import facets_off, keep_off_of
-from .bounded import boundary_of, cut_by_hub, facets_inside
-from .context import MillContext, obstacles_of
+from .bounded import cut_by_hub
+from .context import MillContext
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import choose_facets
 from .machine_around import bodies_in_pose
-from .mill_context import find_region, find_standing
+from .mill_context import Area, begin_context, find_area, find_region, find_standing
 from .options import machine_of, reacher_of, read_scallop
 from .over_table import AUTO, largest_axis_angle
 from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
@@ -103,7 +101,7 @@ def preview_passes(
     find_pass_strategy(settings.passes.passes)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
     mesh, faces, avoided, reports = choose_facets(settings, mesh, faces, progress)
-    context, left_out = _context(settings, mesh, faces, progress, keep_off_of(settings, mesh, avoided))
+    context, left_out = _context(settings, mesh, faces, progress, find_area(settings, mesh, faces, avoided))
     context, one_in = _sparser(context)
     passes = plan_passes(context, find_region(context.settings, mesh, context.keep, progress, context.frames))
     whole = context.boundary is None and context.keep_off is None
@@ -131,36 +129,30 @@ def _sparser(context: MillContext) -> tuple[MillContext, int]:
 
 
 def _context(
-    settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress, keep_off: KeepOff | None
+    settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress, area: Area
 ) -> tuple[MillContext, tuple[Finding, ...]]:
     """As :func:`.mill_context.mill_context`, with all facets over which an axis may lean where axes are
     chosen freely."""
     machine, kinematics, dialect = machine_of(settings)
-    boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
-    inside, reports = facets_inside(settings, boundary, mesh, faces)
-    chosen, frames = faces if boundary is None else inside, None
-    joined, box = obstacles_of(mesh, (), keep_off)
-    if keep_off is not None:
-        inside, near = facets_off(keep_off, mesh, inside)
-        reports, chosen = reports + near, inside
-    if settings.tool_axis.tool_axis == AUTO:
-        wanted = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
-        keep, left_out = wanted & facets_under_axes(mesh, most), tuple[Finding, ...]()
+    most = largest_axis_angle(settings, machine, mesh)
+    context = begin_context(settings, mesh, machine, kinematics, dialect, progress, area)
+    frames, left_out = None, tuple[Finding, ...]()
+    if settings.tool_axis.tool_axis != AUTO:
+        followed = None if keeps_its_axis(settings, machine) else kinematics
+        keep, left_out = facets_within_limits(mesh, followed, most, area.facets)
+    else:
+        wanted = context.keep & ~find_standing(settings, mesh, faces)
+        keep = wanted & facets_under_axes(mesh, most)
         if settings.passes.passes == FRAMES:  # they are what the passes lie in
             bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, (), progress, MARGIN)
-            reacher = reacher_of(settings, machine, kinematics, mesh, bodies)
-            frames, keep, left_out = find_frames(
-                joined, wanted, reacher, most, int(settings.passes.frames), progress
+            reacher, count = (
+                reacher_of(settings, machine, kinematics, mesh, bodies),
+                int(settings.passes.frames),
             )
-    else:
-        followed = None if keeps_its_axis(settings, machine) else kinematics
-        keep, left_out = facets_within_limits(mesh, followed, most, chosen)
+            frames, keep, left_out = find_frames(context.obstacles, wanted, reacher, most, count, progress)
     if not keep.any():
         raise ReachError(say("no facet can be cut: over none of those chosen the tool axis may stand"), None)
-    context = MillContext(
-        settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary
-    )
-    return replace(context, frames=frames, keep_off=keep_off), (*reports, *left_out)
+    return replace(context, keep=keep, frames=frames), area.findings + left_out
 
 
 Columns = tuple[Floats, Ints, Ints]

@@ -16,6 +16,8 @@ depth    only where the program was checked against the part: how deep cutter, s
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from freecad_fiveaxis.core.base.number_text import Choice, Column, Part, table
@@ -47,6 +49,17 @@ def header(letters: str, depth: bool = False, surface: bool = False) -> str:
     return names + ",depth" * depth + ",surface_deviation,surface_bound" * surface
 
 
+def block_columns(program: Program, numbers: Iterable[Floats]) -> list[Part]:
+    """Return the columns that every table of blocks begins with, and these ``numbers``, each (m,)."""
+    return [
+        Column(b"", np.arange(len(program.words))),
+        Column(b",", program.line),
+        b",",
+        Choice(program.motion, [motion.name.lower().encode() for motion in Motion]),
+        *(Column(b",", values, DECIMALS) for values in numbers),
+    ]
+
+
 def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
     """Return the smallest decimal fractions of so many decimals that are not below ``values`` (n,)."""
     step = 10.0**decimals
@@ -71,14 +84,8 @@ def blocks_csv(
         round_up(deviation.bound),
     ]
     numbers = [*words, program.feed, *figures, np.degrees(deviation.axis)]
-    parts: list[Part] = [
-        Column(b"", np.arange(rows)),
-        Column(b",", program.line),
-        b",",
-        Choice(program.motion, [motion.name.lower().encode() for motion in Motion]),
-        *(Column(b",", values, DECIMALS) for values in numbers),
-        Column(b",", singularity.singular.astype(np.int64)),
-    ]
+    parts = block_columns(program, numbers)
+    parts.append(Column(b",", singularity.singular.astype(np.int64)))
     if gouge is not None:
         depth = np.maximum(gouge.cutter.depth, gouge.above.depth)
         parts.append(Column(b",", np.append(0.0, depth)[:rows], DECIMALS))

@@ -15,17 +15,14 @@ off, off_bound   distance off the CL path, or depth of the ball in the part (bel
 
 from __future__ import annotations
 
-import numpy as np
-
 from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.audit.rates import DEGREES
-from freecad_fiveaxis.core.base.number_text import Choice, Column, Part, table
+from freecad_fiveaxis.core.base.number_text import table
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-from .block_table import DECIMALS, letter_order, round_up
+from .block_table import block_columns, letter_order, round_up
 
 
 def rates_header(letters: str) -> str:
@@ -47,11 +44,5 @@ def rates_csv(kinematics: Chain, program: Program, audit: Audit, progress: Progr
         off + 0.0,
         round_up(bound),
     ]
-    parts: list[Part] = [
-        Column(b"", np.arange(len(program.words))),
-        Column(b",", program.line),
-        b",",
-        Choice(program.motion, [motion.name.lower().encode() for motion in Motion]),
-        *(Column(b",", values, DECIMALS) for values in numbers),
-    ]
+    parts = block_columns(program, numbers)
     return rates_header(kinematics.letters).encode() + b"\n" + table(parts, progress=progress)

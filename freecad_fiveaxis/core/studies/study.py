@@ -33,13 +33,13 @@ from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program, build_program
-from freecad_fiveaxis.core.pipeline.avoided import facets_off, keep_off_of, report_places
-from freecad_fiveaxis.core.pipeline.bounded import boundary_of, facets_inside
+from freecad_fiveaxis.core.pipeline.avoided import report_places
 from freecad_fiveaxis.core.pipeline.context import JobContext
 from freecad_fiveaxis.core.pipeline.driving import drive
 from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.pipeline.job import choose_facets, make
 from freecad_fiveaxis.core.pipeline.machine_around import bodies_in_pose
+from freecad_fiveaxis.core.pipeline.mill_context import find_area
 from freecad_fiveaxis.core.pipeline.options import (
     compute_driven_to_surface,
     load_setup,
@@ -137,18 +137,15 @@ def try_reach(
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
     mesh, faces, avoided, remarks = choose_facets(settings, mesh, faces, progress)
-    boundary, keep_off = boundary_of(settings), keep_off_of(settings, mesh, avoided)
-    inside, outside = facets_inside(settings, boundary, mesh, faces)
-    inside, near = facets_off(keep_off, mesh, inside)
-    faces, remarks = faces if boundary is None and keep_off is None else inside, remarks + outside + near
+    area = find_area(settings, mesh, faces, avoided)
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
     tool = settings.gouge
     limit, cutter = settings.proof.tolerance, settings.cutter.cutter
     kinematics = chain(machine, setup)
     bodies = bodies_in_pose(settings, machine, kinematics, mesh, fixtures, progress)
     reacher = Reacher(cutter, tool.shank, tool.holder, kinematics, limit, table, most, machine=bodies)
-    found = reach_map(mesh, reacher, faces, progress, fixtures, executor, keep_off)
-    remarks += report_places(keep_off, mesh, faces, found.spacing)
+    found = reach_map(mesh, reacher, area.facets, progress, fixtures, executor, area.keep_off)
+    remarks += area.findings + report_places(area.keep_off, mesh, area.facets, found.spacing)
     return ReachTrial(settings, found, mesh.findings + remarks + below, reacher)
 
 

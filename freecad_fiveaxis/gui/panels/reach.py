@@ -13,7 +13,7 @@ from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.app.selection import is_mesh
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import ADVICE
-from freecad_fiveaxis.gui.view_providers import kind_of
+from freecad_fiveaxis.gui.views import kind_of
 
 from .fields import QuantityField
 from .fixtures import FixturesField

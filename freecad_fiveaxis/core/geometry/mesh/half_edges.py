@@ -1,20 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The half-edges of a mesh, sorted so that those of one edge stand next to each other.
+"""The half-edges of a mesh, sorted so that those of one edge stand next to each other, and put
+together to co-edges.
 
 sense  of a half-edge: 0 from the lower to the higher vertex number, 1 back.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.columns import cache_chunks
-from freecad_fiveaxis.core.base.records import Ints
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.records import Floats, Ints
 
+from .faults import report_edges
 from .words import T, Words, sort_during
 
 
@@ -118,3 +121,63 @@ def partners(key: Words) -> tuple[Ints, Ints]:
     alone = np.ones(len(key), dtype=np.bool_)
     alone[first] = alone[first + 1] = False
     return first, np.flatnonzero(alone)
+
+
+@dataclass(frozen=True)
+class Coedges:
+    """The co-edge columns of a Mesh (``vertex``, ``face``, ``of_face``), findings, and whether the mesh is
+    closed."""
+
+    vertex: Ints
+    face: Ints
+    of_face: Ints
+    findings: list[Finding]
+    closed: bool
+
+
+def find_coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> Coedges:
+    """Return the co-edges of the facets (f, 3) whose half-edges these are."""
+    findings: list[Finding] = []
+    number, alone, closed = len(halves.word) // 2, np.empty(0, dtype=np.int64), True
+    pairs: Iterator[tuple[slice | Ints, slice | Ints]]
+    if halves.is_paired():
+        pairs = (
+            (slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2))
+            for at in chunks(number)
+        )
+    else:
+        first, alone = partners(halves.keys(slice(None)))
+        number = len(first)
+        pairs = ((first[at], first[at] + 1) for at in chunks(number))
+        findings, closed = report_edges(halves.keys(alone), halves.numbers(alone), halves.low, vertex, face)
+    width, facet = int(len(vertex) - 1).bit_length(), (1 << halves.low) - 1
+    ends, sides = np.empty((2, 2, number + len(alone)), dtype=np.int64)
+    of_face = np.empty(
+        3 << halves.low, dtype=np.int64
+    )  # as wide as half-edge numbers are, so that they address it
+
+    def fill(at: slice, there: slice | Ints, back: slice | Ints) -> None:
+        _put_ends(halves.keys(there), width, ends[:, at])
+        one, two = halves.numbers(there), halves.numbers(back)
+        np.bitwise_and(one, facet, out=sides[0, at])
+        np.bitwise_and(two, facet, out=sides[1, at])
+        of_face[one] = of_face[two] = np.arange(at.start, at.stop)
+
+    in_threads(
+        lambda rows: fill(*rows), [(at, *pair) for at, pair in zip(chunks(number), pairs, strict=True)]
+    )
+    edge, one = halves.keys(alone), halves.numbers(alone)
+    _put_ends(edge, width, ends[:, number:])
+    against = number + np.flatnonzero(edge & np.uint64(1))
+    ends[:, against] = ends[::-1, against]
+    sides[0, number:], sides[1, number:] = one & facet, -1
+    of_face[one] = np.arange(number, number + len(alone))
+    return Coedges(ends.T, sides.T, of_face.reshape(3, -1)[:, : len(face)].T, findings, closed)
+
+
+def _put_ends(edge: Words, width: int, out: Ints) -> None:
+    """Lower and upper vertex of edges with sense into the two rows of ``out``; ``width`` bits a vertex."""
+    lower, upper = out.view(np.uint64)
+    np.right_shift(edge, np.uint64(width + 1), out=lower)
+    np.right_shift(edge, np.uint64(1), out=upper)
+    upper &= np.uint64((1 << width) - 1)

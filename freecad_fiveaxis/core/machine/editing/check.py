@@ -21,8 +21,8 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.bodies import FILE, MachineBody, check_carriers
 from freecad_fiveaxis.core.machine.bodies_file import read_bodies, write_bodies
+from freecad_fiveaxis.core.machine.file_objects import read_axis, read_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
-from freecad_fiveaxis.core.machine.machine_file import read_axis, read_machine
 
 from .draft import AxisDraft, MachineDraft
 from .draft_file import axis_data, draft_data

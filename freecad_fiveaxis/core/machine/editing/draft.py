@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.machine import Vector, load_machine, machine_path
 from freecad_fiveaxis.core.machine.bodies import MachineBody
+from freecad_fiveaxis.core.machine.file_objects import KINDS, UNITS, UNLIMITED, read_joint
 from freecad_fiveaxis.core.machine.keys import JsonObject, parse_json
-from freecad_fiveaxis.core.machine.machine_file import KINDS, UNITS, UNLIMITED, read_joint
 from freecad_fiveaxis.core.machine.older_layout import LIMITS, as_today
 
 Side = Literal["table", "head"]

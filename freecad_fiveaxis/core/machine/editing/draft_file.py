@@ -18,7 +18,8 @@ from typing import Any
 
 from freecad_fiveaxis.core.machine.bodies import FILE, MachineBody
 from freecad_fiveaxis.core.machine.bodies_file import write_bodies
-from freecad_fiveaxis.core.machine.machine_file import UNLIMITED, file_bytes
+from freecad_fiveaxis.core.machine.file_objects import UNLIMITED
+from freecad_fiveaxis.core.machine.machine_file import file_bytes
 
 from .draft import AxisDraft, MachineDraft, read_axis_draft
 

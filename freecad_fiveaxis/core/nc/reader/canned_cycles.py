@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.base.sentences import Length, say
 
 from . import codes
 from .arcs import AXES
-from .codes import INCH, Grammar
+from .codes import Grammar
 from .cycle_plan import EQUAL_HEIGHT, FINE, LINUXCNC, PECKING, WAYS, Hole, Ways, steps_of
 from .lines import Lines, tenfold
 from .positions import ABSOLUTE, STEP, absolute_anyway, axis_words
@@ -108,7 +108,7 @@ class _Table:
 
     def __init__(self, lines: Lines, grammar: Grammar, ways: Ways) -> None:
         self.ways, self.steps = ways, lines.mode(codes.DISTANCE, 0) == 1
-        self.scale = np.where(lines.inch(grammar), INCH, 1.0)
+        self.scale = lines.unit(grammar)
         self.plane, self.to_r = lines.mode(codes.PLANES, 0), lines.mode(RETRACT, int(ways.to_r)) == 1
         here = [axis_words(lines, letter) for letter in "XYZ"]
         self.value = np.stack([value * self.scale for value, _ in here], axis=1)

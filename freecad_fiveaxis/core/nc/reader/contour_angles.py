@@ -13,16 +13,18 @@ after a comma.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes
 from .arcs import AXES
 from .lines import Lines
-from .positions import ABSOLUTE, NOTHING, STEP
+from .positions import ABSOLUTE, NOTHING, STEP, AxisWords, MotionLines
 
 EVEN = 1e-9
 """Sine or cosine below which a line lies along an axis."""
@@ -32,7 +34,7 @@ class Contour:
     """The words of the motion lines (m,), X Y Z, mm, with how they are meant; where they lead is followed
     from row to row."""
 
-    def __init__(self, words: list[tuple[Floats, Bytes]], plane: Ints, meaning: Ints) -> None:
+    def __init__(self, words: AxisWords, plane: Ints, meaning: Ints) -> None:
         self.words, self.plane = [(value.copy(), kind.copy()) for value, kind in words[:3]], plane
         self.place, self.since = np.full(3, np.nan), 0
         self.anew = np.flatnonzero(np.diff(meaning, prepend=meaning[:1]))
@@ -68,35 +70,22 @@ class Contour:
             self.words[axis][0][row], self.words[axis][1][row] = value, ABSOLUTE
 
 
-def apply_angles(
-    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, meaning: Ints
-) -> tuple[list[tuple[Floats, Bytes]], list[Finding]]:
-    """Return the words of the motion lines ``at`` (m,) with those that their angles make; ``mode`` (m,) of
-    motion; ``meaning`` (m,) of X Y Z."""
-    if codes.ANGLE not in lines.letters:
-        return words, []
-    straight = np.isin(mode, (codes.RAPID, codes.STRAIGHT))
-    return _with_angles(
-        words, lines.column(codes.ANGLE)[at], straight, lines.mode(codes.PLANES, 0)[at], meaning, at
-    )
-
-
-def _with_angles(
-    words: list[tuple[Floats, Bytes]], angle: Floats, straight: Bools, plane: Ints, meaning: Ints, line: Ints
-) -> tuple[list[tuple[Floats, Bytes]], list[Finding]]:
-    """Return the words of the motion lines with those that the ``angle`` (m,), deg, of some of them makes;
-    ``straight`` (m,): whether one moves so; ``meaning``: of X Y Z; ``line`` (m,) of the file."""
+def apply_angles(lines: Lines, moving: MotionLines) -> tuple[MotionLines, list[Finding]]:
+    """Return the motion lines with the words that their angles make."""
+    angle = lines.column(codes.ANGLE)[moving.at]
     rows = np.flatnonzero(~np.isnan(angle))
     if not len(rows):
-        return words, []
-    contour, lost = Contour(words, plane, meaning), list[int]()
+        return moving, []
+    straight = np.isin(moving.mode, (codes.RAPID, codes.STRAIGHT))
+    contour = Contour(moving.words, lines.mode(codes.PLANES, 0)[moving.at], moving.meaning)
+    lost = list[int]()
     for row in rows.tolist():
         place = _end(contour, row, angle) if straight[row] else None
         if place is None:
             lost.append(row)
         else:
             contour.put(row, place)
-    return [*contour.words, *words[3:]], _findings(lost, line)
+    return replace(moving, words=[*contour.words, *moving.words[3:]]), _findings(lost, moving.at)
 
 
 def _end(contour: Contour, row: int, angle: Floats) -> Floats | None:

@@ -16,12 +16,12 @@ does where this is not kept is not said there: it is an error here.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats
+from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
@@ -31,7 +31,7 @@ from .codes import Grammar
 from .lines import Lines
 from .plane_calls import HAAS, Tilt
 from .planes import report_refusal
-from .positions import ABSOLUTE, NOTHING, STEP, absolute_anyway, track
+from .positions import ABSOLUTE, NOTHING, STEP, AxisWords, absolute_anyway, track
 
 NAME = "G254"
 SAME = 1e-6
@@ -39,7 +39,7 @@ SAME = 1e-6
 
 
 def find_offset_planes(
-    lines: Lines, axes: Sequence[tuple[Floats, Bytes]], on: Bools, kinematics: Chain, grammar: Grammar
+    lines: Lines, axes: AxisWords, on: Bools, kinematics: Chain, grammar: Grammar
 ) -> tuple[Mapping[int, Tilt], list[Finding]]:
     """Return the planes that the lines with G254 begin and end, by line, and what is said of them; ``axes``:
     the words of each of the machine's axes in each line; ``on`` (lines,): whether the control guides the
@@ -63,9 +63,7 @@ def find_offset_planes(
     return tilts, findings
 
 
-def _stands(
-    lines: Lines, rotary: Sequence[tuple[Floats, Bytes]], kinematics: Chain, grammar: Grammar
-) -> Floats:
+def _stands(lines: Lines, rotary: AxisWords, kinematics: Chain, grammar: Grammar) -> Floats:
     """Where the rotary axes stand (lines, 2) deg at the end of each line; 0 where nothing was told so far."""
     no_move, steps = lines.any_of(grammar.no_move), lines.mode(codes.DISTANCE, 0) == 1
     columns = []

@@ -281,12 +281,15 @@ FANUC_OPERATORS: dict[str, Callable[[float, float], float]] = _COMMON | {
     b: float(_whole(a) | _whole(b)),
     "XOR": lambda a, b: float(_whole(a) ^ _whole(b)),
 }  # fmt: skip
-FUNCTIONS: dict[str, Callable[[float], float]] = {
+COMMON_FUNCTIONS: dict[str, Callable[[float], float]] = {
     "SIN": lambda a: math.sin(math.radians(a)), "COS": lambda a: math.cos(math.radians(a)),
     "TAN": lambda a: math.tan(math.radians(a)), "ASIN": lambda a: math.degrees(math.asin(a)),
     "ACOS": lambda a: math.degrees(math.acos(a)), "ATAN": lambda a: math.degrees(math.atan(a)),
-    "SQRT": math.sqrt,
-    "SQR": math.sqrt, "EXP": math.exp, "LN": math.log, "ABS": abs, "FIX": lambda a: float(math.floor(a)),
+    "SQRT": math.sqrt, "EXP": math.exp, "LN": math.log, "ABS": abs,
+}  # fmt: skip
+"""Angles in degrees."""
+FUNCTIONS: dict[str, Callable[[float], float]] = COMMON_FUNCTIONS | {
+    "SQR": math.sqrt, "FIX": lambda a: float(math.floor(a)),
     "FUP": lambda a: float(math.ceil(a)), "ROUND": lambda a: math.copysign(math.floor(abs(a) + 0.5), a),
 }  # fmt: skip
 FANUC_FUNCTIONS: dict[str, Callable[[float], float]] = FUNCTIONS | {

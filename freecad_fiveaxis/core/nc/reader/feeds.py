@@ -3,16 +3,20 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Template
 
 from . import codes
-from .codes import INCH, Grammar
-from .lines import Lines, last_of
+from .codes import INCH
+from .lines import last_of
+from .positions import Moves
+from .source import Source
 
 NO_FEED = Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F.")
 NO_INVERSE_FEED = Template(
@@ -20,12 +24,19 @@ NO_INVERSE_FEED = Template(
 )
 
 
-def feeds(
-    lines: Lines, at: Ints, feeding: Bools, grammar: Grammar
-) -> tuple[Floats, Bools, tuple[Finding, ...]]:
-    """F (m,) in force in the motion lines ``at`` in mm/min or 1/min, whether it is inverse time, and the
-    findings."""
-    mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.inch(grammar), lines.column("F")
+class Feeds(NamedTuple):
+    """One row a motion line, (m,): ``feed`` in force, mm/min, mm a turn or 1/min; whether it is of
+    ``inverse`` time, and ``per_turn``."""
+
+    feed: Floats
+    inverse: Bools
+    per_turn: Bools
+
+
+def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
+    """Return what F is in the motion lines, and where there is none."""
+    lines, at, feeding = source.lines, motions.at, motions.mode != codes.RAPID
+    mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.inch(source.grammar), lines.column("F")
     given = np.flatnonzero(~np.isnan(column))
     column[given] *= np.where(inch[given] & (mode[given] != codes.INVERSE), INCH, 1.0)
     last = last_of(given, lines.count)
@@ -45,4 +56,4 @@ def feeds(
         for rows, code, text in cases
         if rows.any()
     ]
-    return np.where(feed > 0.0, feed, 0.0), inverse, tuple(found)
+    return Feeds(np.where(feed > 0.0, feed, 0.0), inverse, mode[at] == codes.PER_TURN), found

@@ -10,10 +10,11 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, Number, Option, Template, say
 from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine import find_physical_columns
+from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
 
@@ -22,7 +23,7 @@ from .codes import Grammar
 from .corners import LETTER
 from .lines import Lines, tenfold
 from .noted import kind_findings
-from .positions import ABSOLUTE, Moves
+from .positions import ABSOLUTE, Moves, find_wraps
 from .words import Words
 
 NAMES = {"siemens": "Siemens 840D", "heidenhain": "Heidenhain klartext", "iso": "ISO"}
@@ -175,8 +176,9 @@ def _numbers(value: Floats, letter: str) -> Ints:
     return np.asarray(np.where(np.abs(value) < LARGEST_CODE, value, -1.0).astype(np.int64))
 
 
-def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> list[Finding]:
+def word_findings(lines: Lines, letters: str, guided: bool) -> list[Finding]:
     """Return the words that no axis of the machine and no function takes."""
+    words = lines.words
     found, arcs = [], np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any()
     tilts = np.isin(lines.code, codes.TILT).any()
     vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
@@ -200,7 +202,7 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
     return found
 
 
-def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, grammar: Grammar) -> list[Finding]:
+def start_findings(letters: str, motions: Moves, lines: Lines, grammar: Grammar) -> list[Finding]:
     """Return what had to be assumed: the first position, motion, units, offsets."""
     found, first = [], int(motions.at[0])
     by_vector = not np.isnan(motions.vector[0]).all()
@@ -215,8 +217,8 @@ def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, gramm
             unknown=", ".join(sorted(unknown)),
         )
         found.append(report_finding(Code.POSITION_UNKNOWN, text, block=0, line=first))
-    if (mode == codes.NONE).any():
-        block = int((mode == codes.NONE).argmax())
+    if (motions.mode == codes.NONE).any():
+        block = int((motions.mode == codes.NONE).argmax())
         text = say("Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.")
         found.append(report_finding(Code.NO_MOTION_CODE, text, block=block, line=int(motions.at[block])))
     if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
@@ -284,16 +286,12 @@ def point_findings(words: Words) -> tuple[Finding, ...]:
     return (report_finding(Code.NO_DECIMAL_POINT, text, float(len(at)), line=int(words.line[at[0]])),)
 
 
-def wrap_findings(
-    letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], motions: Moves, feeding: Bools,
-    dialect: Dialect | None,
-) -> list[Finding]:  # fmt: skip
-    """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and
-    where the controller does what the machine file says only if it is set so. ``meant``: as of
-    :func:`.positions.moves`; ``feeding`` (m,)."""
-    found, skipped = [], len(meant[0][0]) - len(motions.at)
-    for k, way in enumerate(wrap, 3):
-        value, kind = meant[k][0][skipped:], meant[k][1][skipped:]
+def wrap_findings(kinematics: Chain, motions: Moves, dialect: Dialect | None) -> list[Finding]:
+    """Where the rotary words and the machine file's ``wrap_strategy`` contradict each other, and where the
+    controller does what the machine file says only if it is set so."""
+    found, feeding = [], motions.mode != codes.RAPID
+    for k, way in enumerate(find_wraps(kinematics), 3):
+        value, kind = motions.words[k]
         rows = np.flatnonzero(kind == ABSOLUTE)
         step = np.abs(np.diff(value[rows]))
         one_turn = bool(len(rows)) and float(np.ptp(value[rows])) <= CIRCLE
@@ -312,7 +310,7 @@ def wrap_findings(
         if sentence is not None:
             severity = Severity.NOTE if sentence is IF_SET else Severity.WARNING
             text = sentence.say(
-                letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name
+                letter=kinematics.letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name
             )
             block = int(wide[0])
             found.append(

@@ -11,8 +11,8 @@ from collections.abc import Callable
 
 from freecad_fiveaxis.core.base.sentences import say
 
+from .expressions import COMMON_FUNCTIONS, NUMBER, Unread
 from .expressions import DEEPEST as DEEPEST_BRACKETS
-from .expressions import NUMBER, Unread
 
 FUNCTION = re.compile(r"ASIN|ACOS|ATAN|SIN|COS|TAN|SQRT|SQ|LN|LOG|EXP|NEG|INT|ABS|FRAC|SGN")
 OPERATOR = re.compile(r"DIV|LEN|ANG|[-+*/^%]")
@@ -22,13 +22,9 @@ OPERATORS: dict[str, Callable[[float, float], float]] = {
     "^": math.pow,
     "%": math.fmod, "LEN": math.hypot, "ANG": lambda a, b: math.degrees(math.atan2(a, b)),
 }  # fmt: skip
-FUNCTIONS: dict[str, Callable[[float], float]] = {
-    "SIN": lambda a: math.sin(math.radians(a)), "COS": lambda a: math.cos(math.radians(a)),
-    "TAN": lambda a: math.tan(math.radians(a)), "ASIN": lambda a: math.degrees(math.asin(a)),
-    "ACOS": lambda a: math.degrees(math.acos(a)), "ATAN": lambda a: math.degrees(math.atan(a)),
-    "SQRT": math.sqrt,
-    "SQ": lambda a: a * a, "LN": math.log, "LOG": math.log10, "EXP": math.exp, "NEG": operator.neg,
-    "INT": lambda a: float(math.trunc(a)), "ABS": abs, "FRAC": lambda a: a - math.trunc(a),
+FUNCTIONS: dict[str, Callable[[float], float]] = COMMON_FUNCTIONS | {
+    "SQ": lambda a: a * a, "LOG": math.log10, "NEG": operator.neg,
+    "INT": lambda a: float(math.trunc(a)), "FRAC": lambda a: a - math.trunc(a),
     "SGN": lambda a: -1.0 if a < 0.0 else 1.0,
 }  # fmt: skip
 SIGN, OPEN, CLOSE, PI = (re.compile(one) for one in (r"[-+]", r"\(", r"\)", "PI"))

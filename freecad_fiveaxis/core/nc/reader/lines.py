@@ -72,9 +72,17 @@ class Lines:
         column[line] = self.words.value[at]
         return column
 
+    def columns(self, letters: str) -> Floats:
+        """Return the words of these letters in each line (lines, k), as :meth:`column`."""
+        return np.stack([self.column(letter) for letter in letters], axis=1)
+
     def inch(self, grammar: Grammar) -> Bools:
         """Whether the lengths of each line are in inches."""
         return np.asarray(self.mode(grammar.units, int(self.assumed.units == "inch")) == 1)
+
+    def unit(self, grammar: Grammar) -> Floats:
+        """Return how many mm the unit of length of each line has."""
+        return np.where(self.inch(grammar), codes.INCH, 1.0)
 
     def any_of(self, chosen: Iterable[int]) -> Bools:
         """Return the lines with one of these codes."""
@@ -120,9 +128,10 @@ def without_dwells(words: Words, grammar: Grammar) -> Words:
     )
 
 
-def by_least_increment(words: Words, lines: Lines, grammar: Grammar) -> Words:
+def by_least_increment(lines: Lines, grammar: Grammar) -> Words:
     """Return the words in which those of axes, centres and radii without a decimal point counted the least
     increment, IS-B (Fanuc B-63324EN, 3.4.3): 0.001 mm, 0.0001 inch, 0.001 deg."""
+    words = lines.words
     bare = words.bare() & np.isin(words.letter, [ord(letter) for letter in codes.INCREMENTED + codes.PECK])
     linear = ~np.isin(words.letter, [ord(letter) for letter in "ABC"])
     step = np.where(linear & lines.inch(grammar)[words.line], 1e-4, 1e-3)
@@ -147,3 +156,8 @@ def last_of(line: Ints, count: int) -> Ints:
     last = np.zeros(count, np.int64)
     last[line] = line
     return np.maximum.accumulate(last)
+
+
+def hold_words(column: Floats) -> Floats:
+    """Return the last word of a column at or before each line, NaN before the first."""
+    return column[last_of(np.flatnonzero(~np.isnan(column)), len(column))]

@@ -15,13 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, take_rows
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints, take_rows
 from freecad_fiveaxis.core.motion.program import Guided, Program
 
 from . import codes
-from .codes import Grammar
-from .lines import Lines
-from .positions import ABSOLUTE, NOTHING, SHORTER
+from .positions import ABSOLUTE, NOTHING, SHORTER, AxisWords, Moves
+from .source import Source
 
 
 class Gaps(NamedTuple):
@@ -31,35 +30,34 @@ class Gaps(NamedTuple):
     after: Bools
 
 
-def find_gaps(
-    lines: Lines, at: Ints, axes: list[tuple[Floats, Bytes]], rapid: Bools, by_vector: Bools, grammar: Grammar
-) -> Gaps:
-    """Find the gaps among the motion lines ``at`` (m,), of which ``rapid`` (m,) are rapids and ``by_vector``
-    (m,) give the tool axis as a vector; ``axes``: the five words in each line and how they are meant."""
-    kind = np.column_stack([kind for _, kind in axes])
-    driven = _find_driven(lines, kind, at, grammar)
+def find_gaps(source: Source, motions: Moves, axes: AxisWords) -> Gaps:
+    """Find the gaps among the motion lines (m,); ``axes``: the five words in each line of the source and how
+    they are meant."""
+    at, kind = motions.at, np.column_stack([kind for _, kind in axes])
+    driven = _find_driven(source, kind, int(at[0]))
     if not driven.any():
         return Gaps(np.zeros(len(at), np.bool_), np.zeros(len(at), np.bool_))
     given = np.zeros_like(driven)
     given[at] = np.isin(kind[at], (ABSOLUTE, SHORTER))
-    given[at, 3:] |= by_vector[:, None]
+    given[at, 3:] |= ~np.isnan(motions.vector).all(axis=1, keepdims=True)
     line = np.arange(len(driven))[:, None]
     left, back = (np.maximum.accumulate(np.where(rows, line, -1), axis=0)[at] for rows in (driven, given))
     lost: Bools = np.asarray((left > back).any(axis=1))
     before = np.concatenate([at[:1], at[:-1]])
     fresh: Bools = np.asarray((left > before[:, None]).any(axis=1))
     fresh |= np.concatenate([[False], lost[:-1]])
-    return _without_feeds(lost, fresh, rapid)
+    return _without_feeds(lost, fresh, motions.mode == codes.RAPID)
 
 
-def _find_driven(lines: Lines, kind: Bytes, at: Ints, grammar: Grammar) -> Bools:
+def _find_driven(source: Source, kind: Bytes, first: int) -> Bools:
     """Whether each line (lines, 5) drives an axis to a machine position: those that it names, or all, after
-    the first block."""
+    the line ``first`` of the first block."""
+    lines, grammar = source.lines, source.grammar
     going = lines.any_of(code for code, meant in grammar.codes.items() if meant is codes.HOME)
     going[lines.m_line(grammar.machine_m)] = True
     if codes.MACHINE in lines.letters:
         going |= ~np.isnan(lines.column(codes.MACHINE))
-    going[: at[0] + 1] = False
+    going[: first + 1] = False
     named: Bools = kind != NOTHING
     return going[:, None] & (named | ~named.any(axis=1, keepdims=True))
 
@@ -75,7 +73,7 @@ def _without_feeds(lost: Bools, fresh: Bools, rapid: Bools) -> Gaps:
     return Gaps(lost & kept, fresh & ~lost & kept)
 
 
-def leave_out_gaps(program: Program, gaps: Gaps, row: Ints) -> Program:
+def leave_out_gaps(program: Program, gaps: Gaps, row: Ints | slice) -> Program:
     """Return the program without the blocks of the gaps; ``row`` (n,): the motion line of each block."""
     if not (gaps.inside | gaps.after).any():
         return program

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes, plane_calls
-from .codes import INCH, Grammar
+from .codes import Grammar
 from .lines import Lines, last_of
 from .plane_calls import FANUC, HAAS, MOVE, TURN, Tilt
 
@@ -156,7 +156,7 @@ def _euler(given: dict[str, float]) -> Tilt:
 
 
 def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
-    scale = np.where(lines.inch(grammar), INCH, 1.0)
+    scale = lines.unit(grammar)
     origins, turns, turning, findings = (
         list[Floats](),
         list[Floats](),
@@ -164,7 +164,7 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
         list[Finding](),
     )
     state, now, frames = np.zeros(lines.count, np.int64), 0, list[bool]()
-    before = np.nan_to_num(np.stack([lines.column(letter) for letter in codes.ORIGIN], axis=1))
+    before = np.nan_to_num(lines.columns(codes.ORIGIN))
     for row, tilt in tilts.items():
         reason = _wrong(tilt, now) or _without_centres(tilt, lines)
         if reason:

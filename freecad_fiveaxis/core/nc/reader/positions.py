@@ -9,7 +9,8 @@ stretch      motion lines in a row whose X Y Z mean the same. Where one ends, th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -29,6 +30,27 @@ FARTHEST = 1e7
 """mm, deg; a word beyond this is no place of any machine."""
 NOTHING, ABSOLUTE, STEP, SHORTER = 0, 1, 2, 3
 """How a word is meant: not given; absolute; added to the last place; by the shorter way."""
+AxisWords = list[tuple[Floats, Bytes]]
+"""The words of the machine's five axes, each (m,), and how each is meant (m,)."""
+
+
+@dataclass(frozen=True, eq=False)
+class MotionLines:
+    """One row a motion line, (m,): ``at`` its line; ``words`` mm and degrees; ``mode`` of motion; ``on``
+    whether the controller guides the tip; ``vector`` (m, 3) the tool axis where a vector gives it, else NaN;
+    ``meaning`` of X Y Z, as of :meth:`.planes.Planes.of_blocks`."""
+
+    at: Ints
+    words: AxisWords
+    mode: Ints
+    on: Bools
+    vector: Floats
+    meaning: Ints
+
+    def begin(self, row: int) -> MotionLines:
+        """Return the motion lines from that row on."""
+        columns = {name: column[row:] for name, column in vars(self).items() if name != "words"}
+        return replace(self, words=[(value[row:], kind[row:]) for value, kind in self.words], **columns)
 
 
 @dataclass(eq=False)
@@ -40,19 +62,17 @@ class Start:
     programmed: Floats
 
 
-def find_start(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector: Floats) -> Start:
-    """How the motion lines (m,) begin, given as in :func:`moves`; ``rapid`` (m,).
+def find_start(moving: MotionLines) -> Start:
+    """How the motion lines begin.
 
     A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these
     rapids are no blocks. Where other lines than absolute rapids stand before the places of all axes are
     known, row 0 begins.
     """
+    rapid = moving.mode == codes.RAPID
     rapids = slice(0, len(rapid) if rapid.all() else int(np.argmin(rapid)) + 1)
-    kind, meaning, vector = (
-        np.column_stack([kind[rapids] for _, kind in words]),
-        meaning[rapids],
-        vector[rapids],
-    )
+    kind = np.column_stack([kind[rapids] for _, kind in moving.words])
+    meaning, vector = moving.meaning[rapids], moving.vector[rapids]
     row = np.arange(len(kind))[:, None]
     last = np.maximum.accumulate(np.where((kind == ABSOLUTE) | (kind == SHORTER), row, -1), axis=0)
     stretch = last_of(np.flatnonzero(np.diff(meaning, prepend=meaning[:1])), len(meaning))
@@ -64,27 +84,22 @@ def find_start(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, v
     programmed = np.array(
         [
             value[source] if source >= 0 else np.nan
-            for (value, _), source in zip(words, at.tolist(), strict=True)
+            for (value, _), source in zip(moving.words, at.tolist(), strict=True)
         ]
     )
     return Start(first, programmed)
 
 
-@dataclass(eq=False)
-class Moves:
-    """One row a motion line, (m,): ``at`` its line; ``before``, ``programmed`` (m, 5) the words at its start
-    and end; ``on`` whether the controller guides the tip; ``vector`` (m, 3) the tool axis where a vector
-    gives it, else NaN; ``lost``: rows whose vector no rotary words take up; ``named`` (m, 5) whether the line
-    has that word as an absolute one; ``meaning`` of X Y Z."""
+@dataclass(frozen=True, eq=False)
+class Moves(MotionLines):
+    """The motion lines (m,) with where they lead: ``before``, ``programmed`` (m, 5) the words at the start
+    and end; ``lost``: rows whose vector no rotary words take up; ``named`` (m, 5) whether the line has that
+    word as an absolute one."""
 
-    at: Ints
     before: Floats
     programmed: Floats
-    on: Bools
-    vector: Floats
     lost: Ints
     named: Bools
-    meaning: Ints
 
 
 def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
@@ -131,50 +146,40 @@ def check_near(lines: Lines, letter: str, value: Floats) -> None:
         )
 
 
-def moves(
-    at: Ints,
-    words: list[tuple[Floats, Bytes]],
-    on: Bools,
-    vector: Floats,
-    kinematics: Chain,
-    wrap: tuple[str, str],
-    programmed_before: Floats,
-    meaning: Ints,
-    planes: Planes | None = None,
-) -> Moves:
-    """Return the motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether
-    they are guided ``on`` (m,), and the vectors ``vector`` (m, 3) that they give, NaN where none;
-    ``programmed_before`` (5,): as ``Start.programmed``; ``meaning`` (m,) of X Y Z, as of
-    :meth:`.planes.Planes.of_blocks`."""
-    count = len(at)
-    motions = Moves(
-        at, np.empty((5, count)).T, np.empty((5, count)).T, on, vector, np.empty(0, np.int64),
-        np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in words]), meaning,
-    )  # fmt: skip
-    start, lost = np.nan_to_num(programmed_before), []
-    motions.named[0] |= ~np.isnan(programmed_before)
-    cuts = np.flatnonzero((on[1:] != on[:-1]) | (meaning[1:] != meaning[:-1])) + 1
-    for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
+def find_wraps(kinematics: Chain) -> tuple[str, str]:
+    """Return how the controller takes each rotary word, as the machine file says."""
+    first, second = (axis.wrap for axis in kinematics.axes[3:])
+    return first, second
+
+
+def find_moves(moving: MotionLines, kinematics: Chain, planes: Planes | None) -> Moves:
+    """Return where the motion lines lead, those of a safe start left out."""
+    start = find_start(moving)
+    moving = moving.begin(start.row)
+    count, lost, meaning = len(moving.at), [np.empty(0, np.int64)], moving.meaning
+    before, programmed = np.empty((5, count)).T, np.empty((5, count)).T
+    named = np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in moving.words])
+    named[0] |= ~np.isnan(start.programmed)
+    place, modulo = (
+        np.nan_to_num(start.programmed),
+        [False] * 3 + [one == "modulo" for one in find_wraps(kinematics)],
+    )
+    cuts = np.flatnonzero((moving.on[1:] != moving.on[:-1]) | (meaning[1:] != meaning[:-1])) + 1
+    for first, last in pairwise([0, *cuts.tolist(), count]):
         rows = slice(first, last)
         if first:
-            start = _pose(
-                kinematics,
-                motions.programmed[first - 1],
-                int(meaning[first - 1]),
-                int(meaning[first]),
-                planes,
+            place = _pose(
+                kinematics, programmed[first - 1], int(meaning[first - 1]), int(meaning[first]), planes
             )
+        words = [(value[rows], kind[rows]) for value, kind in moving.words]
         for k, (value, kind) in enumerate(words):
-            modulo = k >= 3 and wrap[k - 3] == "modulo"
-            motions.programmed[rows, k] = track(value[rows], kind[rows], start[k], first > 0, modulo)
-        if on[first] and not np.isnan(vector[rows]).all():
-            lost.append(
-                first + _turn(kinematics, motions, rows, [kind[rows] for _, kind in words[3:]], start[3:])
-            )
-        motions.before[rows] = np.concatenate([start[None], motions.programmed[first : last - 1]])
-    motions.before[0] = motions.programmed[0]
-    motions.lost = np.concatenate([motions.lost, *lost])
-    return motions
+            programmed[rows, k] = track(value, kind, place[k], first > 0, modulo[k])
+        if moving.on[first] and not np.isnan(moving.vector[rows]).all():
+            turned = programmed[rows, 3:]
+            lost.append(first + _turn(kinematics, turned, moving.vector[rows], words[3:], place[3:]))
+        before[first], before[first + 1 : last] = place, programmed[first : last - 1]
+    before[0] = programmed[0]
+    return Moves(**vars(moving), before=before, programmed=programmed, lost=np.concatenate(lost), named=named)
 
 
 def _pose(kinematics: Chain, programmed: Floats, was: int, now: int, planes: Planes | None) -> Floats:
@@ -229,11 +234,11 @@ def track(value: Floats, kind: Bytes, start: float, known: bool, modulo: bool) -
     return place
 
 
-def _turn(kinematics: Chain, motions: Moves, rows: slice, kinds: list[Bytes], start: Floats) -> Ints:
-    """Put the rotary words that the vectors ask for into ``motions.programmed``; returns the rows (of these)
-    that nothing takes up."""
-    none = np.asarray(np.isnan(motions.vector[rows]).all(axis=1))
-    vector = np.where(none[:, None], np.nan, np.nan_to_num(motions.vector[rows]))
+def _turn(kinematics: Chain, rotary: Floats, vector: Floats, words: AxisWords, start: Floats) -> Ints:
+    """Put the words that the vectors (m, 3) ask for into ``rotary`` (m, 2), of which the lines say ``words``;
+    return the rows that nothing takes up."""
+    none = np.asarray(np.isnan(vector).all(axis=1))
+    vector = np.where(none[:, None], np.nan, np.nan_to_num(vector))
     length = np.linalg.norm(vector, axis=1)
     given = np.flatnonzero(length > 1e-9)
     if not len(given):
@@ -242,11 +247,10 @@ def _turn(kinematics: Chain, motions: Moves, rows: slice, kinds: list[Bytes], st
     keep = given[reached]
     count = len(vector)
     by_vector = last_of(keep + 1, count + 1)[1:]
-    by_words = last_of(np.flatnonzero((kinds[0] != NOTHING) | (kinds[1] != NOTHING)) + 1, count + 1)[1:]
+    named = np.logical_or.reduce([kind != NOTHING for _, kind in words])
+    by_words = last_of(np.flatnonzero(named) + 1, count + 1)[1:]
     turned = np.flatnonzero((by_vector > 0) & (by_vector >= by_words))
-    motions.programmed[rows.start + turned, 3:] = angles[reached][
-        np.searchsorted(keep, by_vector[turned] - 1)
-    ]
+    rotary[turned] = angles[reached][np.searchsorted(keep, by_vector[turned] - 1)]
     return given[~reached]
 
 

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes
 from .arcs import AXES
-from .codes import INCH, Grammar
+from .codes import Grammar
 from .findings import shift_finding
 from .lines import Lines, last_of
 from .plane_calls import FANUC, SIEMENS, TURN, Tilt
@@ -107,7 +107,7 @@ def _kinds(lines: Lines, grammar: Grammar) -> Floats:
 
 
 def _table(lines: Lines, grammar: Grammar, kind: Floats) -> _Table:
-    scale = np.where(lines.inch(grammar), INCH, 1.0)
+    scale = lines.unit(grammar)
     axes = [axis_words(lines, letter) for letter in "XYZ"]
     rotary = [axis_words(lines, letter)[0] for letter in "ABC"]
     on = (lines.mode(codes.DISTANCE, 0) == 1) & (grammar.name == "heidenhain")
@@ -154,7 +154,7 @@ def _put(
 ) -> Words:
     """Return the words with ``shift`` (lines, 3) mm on those that it moves, and ``origins`` in the lines of
     planes."""
-    shift = shift / np.where(lines.inch(grammar), INCH, 1.0)[:, None]
+    shift = shift / lines.unit(grammar)[:, None]
     value, line, letter = words.value.copy(), words.line, words.letter
     shift[lines.any_of(grammar.no_move) | own] = 0.0
     shift[lines.m_line(grammar.machine_m)] = 0.0

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes
 from .arcs import AXES
-from .codes import INCH, Grammar
+from .codes import Grammar
 from .findings import shift_finding
 from .lines import Lines
 from .plane_calls import SIEMENS, Tilt, about, beyond, one_by_one
@@ -60,7 +60,7 @@ class _Place:
 def replace_frames(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[Words, list[Finding]]:
     """Return the words with the frames as planes (:mod:`.planes`), those of the lines that program them left
     out; ``kind`` (lines,) says what a line does, NaN where it programs no frame."""
-    scale = np.where(lines.inch(grammar), INCH, 1.0)
+    scale = lines.unit(grammar)
     programmed = np.stack([axis_words(lines, letter)[0] for letter in "XYZ"], axis=1)
     rotary = np.logical_or.reduce([np.nan_to_num(axis_words(lines, letter)[0]) != 0.0 for letter in "ABC"])
     normal = AXES[lines.mode(codes.PLANES, 0), 2]

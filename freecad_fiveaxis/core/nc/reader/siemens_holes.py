@@ -23,7 +23,7 @@ from . import codes
 from .arcs import AXES
 from .canned_cycles import MOST, MOST_NAMED, spread
 from .codes import INCH, Grammar
-from .lines import Lines, last_of
+from .lines import Lines, hold_words, last_of
 from .positions import axis_words
 from .siemens_cycles import Around, Drill, steps, wrong_here
 from .words import Words
@@ -97,7 +97,7 @@ def _moving(lines: Lines) -> Bools:
     """Return the lines whose words move an axis."""
     moving = np.logical_or.reduce([axis_words(lines, letter)[1] != 0 for letter in "XYZABC"])
     arc = lines.mode(codes.SIEMENS.motion, codes.NONE) == codes.ARC
-    moving |= arc & np.logical_or.reduce([~np.isnan(lines.column(letter)) for letter in "IJK"])
+    moving |= arc & ~np.isnan(lines.columns("IJK")).all(axis=1)
     if codes.SHIFTED in lines.letters:
         moving &= np.isnan(lines.column(codes.SHIFTED))
     return np.asarray(moving & ~lines.any_of(codes.POLES))
@@ -108,16 +108,11 @@ def _state(lines: Lines, grammar: Grammar) -> _State:
         code: code for code in codes.MOTION if codes.MOTION[code] in (codes.RAPID, codes.STRAIGHT, codes.ARC)
     }
     return _State(
-        lines.mode(codes.PLANES, 0), _last(lines, "F"), _last(lines, "S"),
+        lines.mode(codes.PLANES, 0), hold_words(lines.column("F")), hold_words(lines.column("S")),
         lines.mode(codes.FEED_MODE, codes.PER_MINUTE),
         lines.inch(grammar), lines.mode(codes.DISTANCE, 0) == 1, lines.mode(motion, 10),
         ~np.isnan(lines.column(codes.MACHINE)) | lines.any_of(grammar.no_move),
     )  # fmt: skip
-
-
-def _last(lines: Lines, letter: str) -> Floats:
-    column = lines.column(letter)
-    return column[last_of(np.flatnonzero(~np.isnan(column)), lines.count)]
 
 
 def _wrong(state: _State, row: int) -> str:

@@ -13,36 +13,34 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 
-from .arcs import Chords
+from .blocks import Blocks
 from .plane_calls import MOVE
 from .plane_solution import report_solution, report_unreachable, solution
 from .planes import IN_PLANE, Planes, report_refusal
-from .positions import ABSOLUTE, STEP, Moves, track
+from .positions import ABSOLUTE, STEP, AxisWords, Moves, find_wraps, tool_axes, track
 
 OFF_NORMAL = 0.01
 """deg; the tool lies along the normal, as far as rotary words are rounded."""
-Words = list[tuple[Floats, Bytes]]
 
 
 @dataclass(eq=False)
 class Turned:
     """``words``: those of the lines, with the rotary words of the turning lines; ``findings``."""
 
-    words: Words
+    words: AxisWords
     findings: tuple[Finding, ...]
 
 
-def turn_into_planes(
-    kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]
-) -> Turned:
+def turn_into_planes(kinematics: Chain, words: AxisWords, at: Ints, planes: Planes) -> Turned:
     """Return the words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of
     ``planes.turning``."""
-    output: Words = [(value.copy(), kind.copy()) for value, kind in words]
-    rotary, stand, since, findings = output[3:], np.zeros(2), 0, list[Finding]()
+    output = [(value.copy(), kind.copy()) for value, kind in words]
+    rotary, stand, since, findings = output[3:], np.zeros(2), 0, list(planes.findings)
+    wrap = find_wraps(kinematics)
     first = True
     for line, (tilt, frame) in planes.turning.items():
         row = int(np.searchsorted(at, line))
@@ -70,37 +68,35 @@ def turn_into_planes(
     return Turned(output, tuple(findings))
 
 
-def vector_findings(planes: Planes, motions: Moves) -> tuple[Finding, ...]:
+def plane_findings(
+    kinematics: Chain, planes: Planes | None, motions: Moves, blocks: Blocks, words: Floats
+) -> list[Finding]:
+    """Return what the moves in tilted planes, and their blocks with ``words`` (n, 5), leave open."""
+    if planes is None:
+        return []
+    return _vectors_in_planes(planes, motions) + _off_normal(planes, blocks, tool_axes(kinematics, words))
+
+
+def _vectors_in_planes(planes: Planes, motions: Moves) -> list[Finding]:
     """Where tool axes are told by vectors in a tilted plane."""
-    both = (
-        (motions.meaning >= IN_PLANE)
-        & ~planes.frames(motions.meaning)
-        & ~np.isnan(motions.vector).all(axis=1)
-    )
-    return (
-        (
-            report_refusal(
-                say("Tool vectors"),
-                say("tool axes are told by vectors in it"),
-                int(motions.at[both.argmax()]),
-            ),
-        )
-        if both.any()
-        else ()
-    )
+    flat = (motions.meaning >= IN_PLANE) & ~planes.frames(motions.meaning)
+    both = flat & ~np.isnan(motions.vector).all(axis=1)
+    if not both.any():
+        return []
+    name, reason = say("Tool vectors"), say("tool axes are told by vectors in it")
+    return [report_refusal(name, reason, int(motions.at[both.argmax()]))]
 
 
-def off_normal(planes: Planes, motions: Moves, chords: Chords | None, axis: Floats) -> tuple[Finding, ...]:
-    """Return the blocks (m,) in planes in which the tool ``axis`` (m, 3) does not lie along the normal, and
+def _off_normal(planes: Planes, blocks: Blocks, axis: Floats) -> list[Finding]:
+    """Return the blocks (n,) in planes in which the tool ``axis`` (n, 3) does not lie along the normal, and
     nobody guides the tip."""
-    row = np.arange(len(axis)) if chords is None else chords.row
-    meaning, on, line = motions.meaning[row], motions.on[row], motions.at[row]
-    rows = np.flatnonzero((meaning >= IN_PLANE) & ~on & ~planes.frames(meaning))
+    meaning = blocks.meaning
+    rows = np.flatnonzero((meaning >= IN_PLANE) & ~blocks.on & ~planes.frames(meaning))
     normal = planes.turn[meaning[rows] - IN_PLANE, :, 2]
     lean = np.degrees(2.0 * np.arcsin(np.clip(np.linalg.norm(axis[rows] - normal, axis=1) / 2.0, 0.0, 1.0)))
     off = lean > OFF_NORMAL
     if not off.any():
-        return ()
+        return []
     block = int(rows[off.argmax()])
     text = say(
         "In {count} blocks of a tilted plane the tool stands up to {lean} off its normal: nothing has turned "
@@ -109,4 +105,5 @@ def off_normal(planes: Planes, motions: Moves, chords: Chords | None, axis: Floa
         count=int(off.sum()),
         lean=Angle(float(lean.max()), ".3g"),
     )
-    return (report_finding(Code.PLANE_NOT_TAKEN, text, float(off.sum()), block=block, line=int(line[block])),)
+    line = int(blocks.at[block])
+    return [report_finding(Code.PLANE_NOT_TAKEN, text, float(off.sum()), block=block, line=line)]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from html import escape
 
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.report.html_page import STYLE
+from freecad_fiveaxis.core.report.html_elements import STYLE
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.plots import Plot
 from freecad_fiveaxis.core.report.text import WIDTH

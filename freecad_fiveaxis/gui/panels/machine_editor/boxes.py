@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 
 from freecad_fiveaxis.app.units import INCH, inches
-from freecad_fiveaxis.core.machine.machine_file import UNLIMITED
+from freecad_fiveaxis.core.machine.file_objects import UNLIMITED
 from freecad_fiveaxis.gui.panels.fields import ARROW, FeedField, Field, feed_unit, width_of
 from freecad_fiveaxis.gui.panels.measure_box import MeasureBox
 from freecad_fiveaxis.gui.panels.triple import TripleField

@@ -22,23 +22,20 @@ import re
 import sys
 import traceback
 import warnings
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
-from typing import TYPE_CHECKING, Any, NoReturn
+from collections.abc import Sequence
+from typing import Any, NoReturn
 
 from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core.base import signals
-from freecad_fiveaxis.core.base.codes import Severity
-from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
-from freecad_fiveaxis.core.base.files import check_readable, check_writable, written
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.base.files import written
 from freecad_fiveaxis.core.base.memory import keep_freed_memory
-from freecad_fiveaxis.core.base.sentences import Option, one_line, say
-from freecad_fiveaxis.core.base.terminal import bars, show
+from freecad_fiveaxis.core.base.sentences import Option, one_line
+from freecad_fiveaxis.core.base.terminal import complain, show_error
 
-if TYPE_CHECKING:
-    from freecad_fiveaxis.core.pipeline.settings import Settings
+from . import tasks
 
-DONE, DONE_WITH_ERRORS, UNUSABLE, FAULT, STOPPED = 0, 1, 2, 3, 130
+UNUSABLE, FAULT, STOPPED = 2, 3, 130
 REQUIRED = ("numpy", "scipy")
 """Packages without which nothing is computed."""
 REPORT_TO = "https://github.com/freecad-fiveaxis/freecad-fiveaxis/issues"
@@ -91,7 +88,7 @@ def _run_command(argv: Sequence[str]) -> int:
     except (KeyboardInterrupt, Cancelled) as stop:
         return _report_stop(stop)
     except FiveAxisError as error:
-        _complain(f"fiveaxis: {error}")
+        complain(f"fiveaxis: {error}")
         return UNUSABLE
     except Exception as fault:
         signal = (
@@ -112,12 +109,12 @@ def _report_stop(stop: BaseException) -> int:
 
 
 def _complain_stopped() -> None:
-    _complain(f"stopped; written before: {', '.join(written)}" if written else "stopped; nothing was written")
+    complain(f"stopped; written before: {', '.join(written)}" if written else "stopped; nothing was written")
 
 
 def _without(missing: ModuleNotFoundError) -> int:
     """Return a package that is needed is not installed for this Python: what to type, in one line."""
-    _complain(
+    complain(
         f"fiveaxis: {missing.name} is not installed for {sys.executable}: "
         f"`{os.path.basename(sys.executable)} -m pip install "
         f"{' '.join(REQUIRED)}`, or Debian's python3-{missing.name}"
@@ -128,11 +125,11 @@ def _without(missing: ModuleNotFoundError) -> int:
 def _report_fault(fault: Exception) -> int:
     """Return a fault of ours, in one line."""
     if os.environ.get(TRACEBACK):
-        _show_error("".join(traceback.format_exception(fault)).rstrip())
+        show_error("".join(traceback.format_exception(fault)).rstrip())
     place = traceback.extract_tb(fault.__traceback__)[-1]
     kind = "out of memory" if isinstance(fault, MemoryError) else "fault of the program"
     what = ": ".join(part for part in (type(fault).__name__, str(fault)) if part)
-    _complain(
+    complain(
         f"fiveaxis: {kind}: {what} ({os.path.basename(place.filename)} line {place.lineno}); "
         + (f"written before: {', '.join(written)}; " if written else "nothing was written; ")
         + f"please report it with the command and its files at {REPORT_TO} ({TRACEBACK}=1 shows more)"
@@ -151,7 +148,7 @@ def _with_current_flags(argv: Sequence[str]) -> list[str]:
         if flag in now:
             words[at] = now[flag] + sign + value
             if "--quiet" not in argv:
-                _complain(f"fiveaxis: {flag} is called {now[flag]} now; the old name is taken as before")
+                complain(f"fiveaxis: {flag} is called {now[flag]} now; the old name is taken as before")
     return words
 
 
@@ -186,15 +183,6 @@ def flag_of(name: str) -> str:
     return str(Option(name))
 
 
-def _complain(line: str) -> None:
-    _show_error(one_line(line))
-
-
-def _show_error(text: str) -> None:
-    with suppress(FileError):  # where stderr cannot be written, the exit code is all that is left
-        show(text, sys.stderr)
-
-
 class _Parser(argparse.ArgumentParser):
     """Whose message is one line, whatever words were given."""
 
@@ -216,10 +204,14 @@ def _parser() -> argparse.ArgumentParser:
     )
     again.add_argument("source", metavar="JOB.json")
     again.add_argument("--quiet", action="store_true", help="no progress, no report on the terminal")
-    again.set_defaults(act=_run_file)
+    again.set_defaults(act=tasks.run_file)
     _add_batch(commands)
     _add_import(commands)
-    for name, act in (("machines", _machines), ("controllers", _controllers), ("strategies", _strategies)):
+    for name, act in (
+        ("machines", tasks.list_machines),
+        ("controllers", tasks.list_controllers),
+        ("strategies", tasks.list_strategies),
+    ):
         commands.add_parser(name, help=f"list the {name}").set_defaults(act=act)
     return top
 
@@ -243,7 +235,7 @@ def _add_import(commands: Any) -> None:
         help="bodies from the vismach model of the configuration; it is read, never run",
     )
     parser.add_argument("--quiet", action="store_true", help="no table on the terminal")
-    parser.set_defaults(act=_import_machine)
+    parser.set_defaults(act=tasks.import_file)
 
 
 def _add_batch(commands: Any) -> None:
@@ -252,7 +244,7 @@ def _add_batch(commands: Any) -> None:
     parser = commands.add_parser("batch", help=command.TEXT, description=command.TEXT)
     command.add_arguments(parser)
     _add_options(parser, "mill", without=command.NAMED_HERE)
-    parser.set_defaults(act=_batch, task="mill")
+    parser.set_defaults(act=tasks.run_batch, task="mill")
 
 
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
@@ -265,7 +257,7 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
             "--workers", metavar="N", help="so many processes work on it; the result is the same [1]"
         )
     _add_options(parser, task)
-    parser.set_defaults(act=_run_task, task=task)
+    parser.set_defaults(act=tasks.run_task, task=task)
 
 
 def _add_options(parser: argparse.ArgumentParser, task: str, without: Sequence[str] = ()) -> None:
@@ -327,175 +319,3 @@ def _help(leaf: Any) -> str:
     elif isinstance(default, tuple):
         default = ",".join(f"{part:g}" for part in default)
     return f"{text} [{default}]"
-
-
-def _run_task(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.pipeline.settings import build_settings
-
-    settings = build_settings(arguments.task, getattr(arguments, "source", ""), _options_given(arguments))
-    return _run(settings, arguments.quiet, workers=_workers(arguments))
-
-
-def _workers(arguments: argparse.Namespace) -> int:
-    """How many processes are asked for. Raises SettingsError."""
-    from freecad_fiveaxis.core.base.crew import read_workers
-
-    given = getattr(arguments, "workers", None)
-    return 1 if given is None else read_workers(given)
-
-
-def _options_given(arguments: argparse.Namespace) -> dict[str, Any]:
-    from freecad_fiveaxis.core.pipeline.settings import option_fields
-
-    names = {leaf.name for _, leaf in option_fields(arguments.task)}
-    return {
-        name.rstrip("_"): value
-        for name, value in vars(arguments).items()
-        if name in names and value is not None
-    }
-
-
-def _batch(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.batch import command
-
-    with bars(arguments.quiet) as progress:
-        remarks, files, rows = command.act(arguments, _options_given(arguments), progress)
-    if not arguments.quiet:
-        _show_report([*map(command.line_of, rows), *map(one_line, remarks), *_wrote(files)], files)
-    return DONE_WITH_ERRORS if any(row["error"] or row["errors"] for row in rows) else DONE
-
-
-def _run_file(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.pipeline.job_file import read_job
-
-    return _run(read_job(arguments.source), arguments.quiet, (arguments.source,))
-
-
-def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int = 1) -> int:
-    """Do what is asked; ``read``: files that are read already, which no output may be; ``workers``: processes
-    for trials."""
-    from freecad_fiveaxis.core.pipeline import job, outputs
-    from freecad_fiveaxis.core.pipeline.settings import TRIALS, WORKSHOP
-    from freecad_fiveaxis.core.report import as_text
-
-    outputs.check_outputs(settings, read)
-    if settings.task in WORKSHOP:
-        return _work(settings, quiet)
-    if settings.task in TRIALS:
-        return _try(settings, quiet, workers)
-    if settings.task != "audit" and not settings.output.output:
-        raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
-    check_readable(settings.source)
-    with bars(quiet) as progress:
-        result = job.run(settings, progress)
-        files = outputs.write_outputs(result, progress)
-    if not quiet:
-        _show_report([as_text(job.figures(result)), *_wrote(files)], files)
-    return (
-        DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
-    )
-
-
-def _try(settings: Settings, quiet: bool, workers: int) -> int:
-    from freecad_fiveaxis.core.base.crew import at_work, process_crew
-    from freecad_fiveaxis.core.studies import study as trials
-
-    check_readable(settings.source)
-    with bars(quiet) as progress, at_work(process_crew(workers) if workers > 1 else None) as executor:
-        trial = trials.run(settings, progress, executor)
-        files = trials.write_outputs(trial)
-    if not quiet:
-        _show_report([trials.as_text(trial), *_wrote(files)], files)
-    return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in trial.findings) else DONE
-
-
-def _work(settings: Settings, quiet: bool) -> int:
-    from freecad_fiveaxis.core.calibration import tasks as workshop
-
-    with bars(quiet) as progress:
-        done = workshop.run(settings, progress)
-        files = workshop.write_outputs(done)
-    if not quiet:
-        _show_report([workshop.as_text(done), *_wrote(files)], files)
-    return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in done.findings) else DONE
-
-
-def _wrote(files: Iterable[str]) -> Iterator[str]:
-    return (f"wrote {one_line(path)}" for path in files)
-
-
-def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
-    try:
-        show("\n".join(parts), sys.stdout)
-    except FileError as error:
-        raise FileError(
-            say(
-                "{error}; these files are written: {written}",
-                error=error,
-                written=", ".join(written) or say("none asked for"),
-            ),
-            error.value,
-        ) from error
-
-
-def _import_machine(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.machine.importing import as_text, import_machine, save_imported
-
-    if not arguments.output.lower().endswith(".fcm"):
-        raise SettingsError(
-            say("machine file {output} needs the ending .fcm", output=arguments.output), arguments.output
-        )
-    for source in filter(None, (arguments.source, arguments.bodies)):
-        check_readable(source)
-    check_writable(arguments.output)
-    imported = import_machine(arguments.source, arguments.bodies or "")
-    written = save_imported(imported, arguments.output)
-    if not arguments.quiet:
-        _show_report([as_text(imported), *_untaken_model(arguments), *_wrote(written)], written)
-    return (
-        DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
-    )
-
-
-def _untaken_model(arguments: argparse.Namespace) -> Iterator[str]:
-    """Name the vismach model that a LinuxCNC configuration starts, where nobody has asked for its bodies. It
-    is not taken unasked: what it draws is proven against from then on, and models draw more than machines."""
-    from pathlib import Path
-
-    from freecad_fiveaxis.core.machine.importing import find_model
-
-    if arguments.bodies or Path(arguments.source).suffix.lower() != ".ini":
-        return
-    model = find_model(Path(arguments.source))
-    if model is not None:
-        yield f"The configuration shows its machine by {model}: --bodies {model} takes its bodies."
-
-
-def _machines(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
-
-    return _list((name, load_machine(name).description) for name in list_shipped_machines())
-
-
-def _controllers(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.controllers import DIALECTS
-
-    return _list((name, dialect.description) for name, dialect in DIALECTS.items())
-
-
-def _strategies(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
-    from freecad_fiveaxis.core.passes import PASS_STRATEGIES
-
-    descriptions = {
-        name: (strategy.__doc__ or "").strip() for name, strategy in STRATEGIES.items()
-    }  # none where Python left them out (-OO)
-    rows = [(name, text.partition("\n")[0]) for name, text in descriptions.items()]
-    return _list(
-        [*rows, *((f"--passes {name}", strategy.text) for name, strategy in PASS_STRATEGIES.items())]
-    )
-
-
-def _list(rows: Iterable[tuple[str, str]]) -> int:
-    show("\n".join(f"{name:24} {text}" for name, text in rows), sys.stdout)
-    return DONE
