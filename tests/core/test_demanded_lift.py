@@ -99,3 +99,30 @@ def test_the_highest_asked_first_demand_what_all_asked_at_once_demand(kind, monk
         lifts.append(find_demanded_lift(body_of(cutter), tree, up, LIMIT))
     np.testing.assert_array_equal(*lifts)
     assert (lifts[0] > 0.0).all() and asked[1] < 0.9 * asked[0], asked
+
+
+@pytest.mark.parametrize("still", [True, False])
+def test_what_lies_too_low_to_demand_more_is_not_gone_into_and_nothing_is_lost_by_it(still, monkeypatch):
+    """Deep in a cloud of facets, where what is known of one place spares most of the others."""
+    rng, cutter = np.random.default_rng(9), CUTTERS["bull"]
+    facets = rng.uniform(-12.0, 12.0, (6000, 1, 3)) + rng.normal(scale=0.5, size=(6000, 3, 3))
+    tree, axis, tip = (
+        facet_tree(from_triangles(facets)),
+        rng.normal(size=(10, 3)),
+        rng.uniform(-9, 9, (10, 3)),
+    )
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    ways = still_positions(tip, axis) if still else ways_up(tip, axis, np.full(10, 40.0))
+    lifts, asked, whole, prune = [], [], search.facet_bound, search.may_demand
+
+    def counted(piece, sweep, tree, node):
+        asked[-1] += len(node)
+        return whole(piece, sweep, tree, node)
+
+    monkeypatch.setattr(search, "facet_bound", counted)
+    for may in (prune, lambda body, ways, tree, node, lift: np.ones(len(node), np.bool_)):
+        monkeypatch.setattr(search, "may_demand", may)
+        asked.append(0)
+        lifts.append(find_demanded_lift(body_of(cutter), tree, ways, LIMIT))
+    np.testing.assert_allclose(*lifts, atol=1e-9)
+    assert (lifts[0] > 0.0).all() and asked[0] < 0.7 * asked[1], asked

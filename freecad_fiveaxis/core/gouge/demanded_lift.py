@@ -12,11 +12,13 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, Piece, distance_off, way_out
 
 from .bounds import pare_piece
 from .deepest import deepest
-from .swept_motion import Poses
+from .edges import along
+from .swept_motion import Poses, StraightSweep
 from .touched import points_touched
 
 SPARED = 0.5
@@ -25,6 +27,25 @@ up."""
 
 WITHIN = 1.01
 """Of the limit: so far within the side points are looked for that are in the piece by just more than it."""
+
+
+def may_demand(body: Body, ways: StraightSweep, tree: FacetTree, node: Ints, lift: Floats) -> Bools:
+    """Tell which nodes (n,) come so high above the body's bottom, at the start of ways along its axis, that
+    something in them may demand more than ``lift`` (n,) mm."""
+    box, low = tree.boxes(node), min(piece.low - piece.round for piece in body.pieces)
+    reach = (np.abs(along(box.ways, ways.unit)) * box.half).sum(axis=0)
+    top = ((box.middle - _start(ways)) * ways.unit).sum(axis=0) + reach - low
+    return np.asarray(top > lift)
+
+
+def demand_points(lift: Floats, block: Ints, body: Body, ways: StraightSweep, point: Floats) -> None:
+    """Raise ``lift`` (m,) mm of blocks to what points (3, n) mm demand that are in the body somewhere on the
+    ``ways`` along its axis of ``block`` (n,) of them."""
+    np.maximum.at(lift, block, way_out(body, _start(ways).T, ways.unit.T, point.T))
+
+
+def _start(ways: StraightSweep) -> Floats:
+    return ways.tip if ways.travel is None else ways.tip - ways.travel
 
 
 def raise_to_demand(

@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.tool.body import Body, Piece, grow_body
 
 from .bounds import box_bound, facet_bound, least_depth, pare_piece, plate_bound
 from .deepest import compute_needed_height, deepest, end_and_side, find_top, least_mixed, support_at
-from .demanded_lift import raise_to_demand
+from .demanded_lift import demand_points, may_demand, raise_to_demand
 from .swept_motion import Clusters, MotionSegments, Poses, SweptMotion, clusters_of, segments_of
 
 BATCH = 8192
@@ -143,10 +143,8 @@ def find_demanded_lift(
     found = Entries(
         np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64)
     )
-    search = _Search(
-        tree, up, limit, np.inf, body.reach, found, np.zeros(m), np.full(m + 1, limit), learns=False
-    )
-    search.batches(body, np.arange(m), progress, lift)
+    search = _Search(tree, up, limit, np.inf, body.reach, found, np.zeros(m), np.full(m + 1, limit), lift)
+    search.batches(body, np.arange(m), progress)
     return lift
 
 
@@ -215,8 +213,9 @@ class _TooMany(Exception):
 @dataclass(frozen=True, eq=False)
 class _Search:
     """``known`` (m,) mm: so deep a block is known to be, though not yet where; ``floors`` (m + 1,) mm: what a
-    pair of a block must be able to exceed; that of a cluster, in the last place, is the limit. ``learns``:
-    what is known of a block clears others of its pairs."""
+    pair of a block must be able to exceed; that of a cluster, in the last place, is the limit. ``lift`` (m,)
+    mm: what is demanded of blocks so far, where only that is asked. What is known of a block clears others of
+    its pairs."""
 
     tree: FacetTree
     swept: SweptMotion
@@ -226,19 +225,19 @@ class _Search:
     found: Entries
     known: Floats
     floors: Floats
-    learns: bool = True
+    lift: Floats | None = None
 
-    def batches(self, body: Body, blocks: Ints, progress: Progress, lift: Floats | None = None) -> None:
+    def batches(self, body: Body, blocks: Ints, progress: Progress) -> None:
         """:meth:`batch` for any number of blocks, on all threads: what is found of one depends on none of
         another batch."""
         ticks = _Ticks(progress)
         count = 2 * -(-len(blocks) // (2 * BATCH)) if len(blocks) > FEW else min(len(blocks), 1)
         parts = np.array_split(blocks, count) if count else []
-        in_threads(lambda some: self.batch(body, some, ticks, lift), parts, ticks.tell)
+        in_threads(lambda some: self.batch(body, some, ticks), parts, ticks.tell)
 
-    def batch(self, body: Body, blocks: Ints, ticks: _Ticks, lift: Floats | None = None) -> None:
-        """Fill in the entries of these blocks, or only the ``lift`` (m,) mm they demand; ``ticks`` are called
-        again and again."""
+    def batch(self, body: Body, blocks: Ints, ticks: _Ticks) -> None:
+        """Fill in the entries of these blocks, or only the lift that they demand; ``ticks`` are called again
+        and again."""
         deep = [piece for piece in body.pieces if piece.most + self.tree.most_allowance > self.limit]
         if not deep:  # no shank or holder was given: nothing to lay out for
             return
@@ -248,15 +247,15 @@ class _Search:
             for piece in sorted(
                 deep, key=lambda piece: -piece.most
             ):  # what can be deeper makes the others superfluous
-                left = self._traverse(piece, clusters, parts, ticks)
-                if lift is None:
+                left = self._traverse(piece, body, clusters, parts, ticks)
+                if self.lift is None:
                     self._refine(piece, left, ticks)
                 else:
-                    self._demand(piece, body, left, lift)
+                    self._demand(piece, body, left, self.lift)
         except _TooMany:
             half = len(blocks) // 2
             for some in (blocks[:half], blocks[half:]):
-                self.batch(body, some, ticks, lift)
+                self.batch(body, some, ticks)
 
     def _raise(self, block: Ints) -> None:
         """Work out the floors of these blocks anew."""
@@ -270,13 +269,15 @@ class _Search:
             )
         self.floors[block] = floor
 
-    def _traverse(self, piece: Piece, clusters: Clusters, parts: MotionSegments, ticks: _Ticks) -> _Left:
+    def _traverse(
+        self, piece: Piece, body: Body, clusters: Clusters, parts: MotionSegments, ticks: _Ticks
+    ) -> _Left:
         sweep, node = np.arange(clusters.top), np.zeros(clusters.top, np.int64)
         owner = np.concatenate([np.full(clusters.first, len(self.known)), parts.block])
         done: list[tuple[Ints, Ints]] = []
         while len(sweep):
             ticks()
-            sweep, node, enters = self._prune_pairs(piece, clusters, owner, sweep, node)
+            sweep, node, enters = self._prune_pairs(piece, body, clusters, owner, sweep, node)
             whole = (clusters.arity.take(sweep) == 0) & (node >= self.tree.leaf)
             done.append((sweep[whole] - clusters.first, node[whole]))
             sweep, node = _divide_pairs(clusters, self.tree, sweep[~whole], node[~whole], enters[~whole])
@@ -289,21 +290,21 @@ class _Search:
         )
 
     def _prune_pairs(
-        self, piece: Piece, clusters: Clusters, owner: Ints, sweep: Ints, node: Ints
+        self, piece: Piece, body: Body, clusters: Clusters, owner: Ints, sweep: Ints, node: Ints
     ) -> tuple[Ints, Ints, Bools]:
         """Return the pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the
         place of their floors."""
         kept, deep = [], []
         for first in range(0, len(sweep), SLICE):
             some, place = sweep[first : first + SLICE], owner.take(sweep[first : first + SLICE])
-            rows, enters = self._stay(piece, clusters, some, place, node[first : first + SLICE])
+            rows, enters = self._stay(piece, body, clusters, some, place, node[first : first + SLICE])
             kept.append(first + rows)
             deep.append(enters)
         rows = np.concatenate(kept)
         return sweep[rows], node[rows], np.concatenate(deep)
 
     def _stay(
-        self, piece: Piece, clusters: Clusters, sweep: Ints, place: Ints, node: Ints
+        self, piece: Piece, body: Body, clusters: Clusters, sweep: Ints, place: Ints, node: Ints
     ) -> tuple[Ints, Bools]:
         """:meth:`_prune_pairs` for so many that two threads do not wait for each other: which rows stay."""
         core, off = pare_piece(piece, self.limit if piece.most > self.limit else 0.0)
@@ -321,9 +322,13 @@ class _Search:
             floor.take(rows),
             most.take(rows),
         )
+        demanded = None if self.lift is None or self.tree.allowance is not None else self.lift
         for bound in (plate_bound, facet_bound):
             most = np.minimum(most, bound(core, ways, self.tree, node))
-            left = np.flatnonzero(most > floor)
+            may = most > floor
+            if demanded is not None and bound is plate_bound:
+                may &= may_demand(body, ways, self.tree, node, np.append(demanded, -np.inf)[place.take(rows)])
+            left = np.flatnonzero(may)
             rows, ways, node, floor, most = (
                 rows.take(left),
                 ways.take(left),
@@ -335,8 +340,13 @@ class _Search:
             least_depth(piece, ways, self.tree.points(node)) + self.tree.least_of(node),
             place.take(rows),
         )
-        if self.learns:
+        if self.lift is None:
             self._learn(place, least)
+        elif demanded is not None:
+            deep = np.flatnonzero((least > self.limit) & (place < len(demanded)))
+            demand_points(
+                demanded, place.take(deep), body, ways.take(deep), self.tree.points(node.take(deep))
+            )
         left = np.flatnonzero(most > self.floors.take(place) - off - self.tree.most_of(node))
         return rows.take(left), least.take(left) > self.limit
 
