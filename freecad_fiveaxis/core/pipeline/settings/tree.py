@@ -208,7 +208,10 @@ def _build(cls: type, task: str, given: Mapping[str, Any]) -> Any:
     )
 
 
-def _refuse_of_cl_file(settings: Settings) -> None:
+def _check_reading(settings: Settings) -> None:
+    """Check that a part is not asked for what only a CL file has."""
+    if settings.task not in (SETUP, COMPARE) or not is_part(settings.source):
+        return
     for name, value in (("units", settings.reading.units), ("cl_tool", settings.reading.cl_tool)):
         if value not in ("file", None):
             raise SettingsError(
@@ -222,69 +225,81 @@ def _refuse_of_cl_file(settings: Settings) -> None:
 
 
 def _check_together(settings: Settings) -> None:
-    if settings.task not in TASKS:
+    for check in (
+        _check_named,
+        _check_spacing,
+        _check_deform,
+        _check_guided,
+        _check_steep,
+        _check_gouge,
+        _check_faces,
+        _check_boundary,
+        _check_reading,
+        _check_frames,
+        _check_tool_axis,
+        _check_barrel,
+    ):
+        check(settings)
+
+
+def _check_named(settings: Settings) -> None:
+    """Check that a task is known and has the machine, the machines or the program that it works with."""
+    task, machines = settings.task, Task("machines")
+    if task not in TASKS:
         raise SettingsError(
-            say("unknown task {task}; known: {tasks}", task=repr(settings.task), tasks=", ".join(TASKS)),
-            settings.task,
+            say("unknown task {task}; known: {tasks}", task=repr(task), tasks=", ".join(TASKS)), task
         )
-    if settings.task == COMPARE and not settings.compare.machines:
-        raise SettingsError(
-            say(
-                "no machines given; name them with {machines} ({list} shows them)",
-                machines=Option("machines", given="A,B"),
-                list=Task("machines"),
-            ),
-            (),
+    if task == COMPARE and not settings.compare.machines:
+        text = say(
+            "no machines given; name them with {machines} ({list} shows them)",
+            machines=Option("machines", given="A,B"),
+            list=machines,
         )
-    if settings.task not in (COMPARE, RECOVER) and not settings.machine.machine:
+        raise SettingsError(text, ())
+    if task not in (COMPARE, RECOVER) and not settings.machine.machine:
         text = say(
             "no machine given; name one with {machine} ({list} shows them)",
             machine=Option("machine"),
-            list=Task("machines"),
+            list=machines,
         )
         raise SettingsError(text, "")
-    if settings.task == RECOVER and not settings.recover.program:
+    if task == RECOVER and not settings.recover.program:
         raise SettingsError(say("no program given; name the NC file that was posted from the CL path"), "")
-    if settings.passes.scallop is not None and settings.passes.stepover is not None:
-        raise SettingsError(
-            say("scallop and stepover exclude each other; give one of them"), settings.passes.stepover
-        )
+
+
+def _check_spacing(settings: Settings) -> None:
+    passes = settings.passes
+    if passes.scallop is not None and passes.stepover is not None:
+        raise SettingsError(say("scallop and stepover exclude each other; give one of them"), passes.stepover)
+
+
+def _check_deform(settings: Settings) -> None:
     if settings.task == POST and settings.cure.singularity == "deform":
-        raise SettingsError(
-            say(
-                "{past} needs the part's passes: use it with {mill}; a CL file keeps its axes",
-                past=Choice("singularity", ("deform",)),
-                mill=Task("mill"),
-            ),
-            "deform",
+        text = say(
+            "{past} needs the part's passes: use it with {mill}; a CL file keeps its axes",
+            past=Choice("singularity", ("deform",)),
+            mill=Task("mill"),
         )
-    if settings.head.rtcp != "off" and (
-        settings.cure.linearize == "on" or settings.cure.singularity == "linearize"
-    ):
-        raise SettingsError(
-            say(
-                "{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; "
-                "give one",
-                rtcp=Option("rtcp", flag=False),
-                linearize=Option("linearize", flag=False),
-            ),
-            "rtcp",
+        raise SettingsError(text, "deform")
+
+
+def _check_guided(settings: Settings) -> None:
+    cure = settings.cure
+    if settings.head.rtcp != "off" and (cure.linearize == "on" or cure.singularity == "linearize"):
+        text = say(
+            "{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; "
+            "give one",
+            rtcp=Option("rtcp", flag=False),
+            linearize=Option("linearize", flag=False),
         )
-    _check_steep(settings)
-    _check_gouge(settings)
-    if (
-        (faces := settings.faces.faces or settings.faces.avoid)
-        and settings.task != MILL
-        and not is_part(settings.source)
-    ):
+        raise SettingsError(text, "rtcp")
+
+
+def _check_faces(settings: Settings) -> None:
+    faces = settings.faces.faces or settings.faces.avoid
+    if faces and settings.task != MILL and not is_part(settings.source):
         text = say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source)
         raise SettingsError(text, faces)
-    _check_boundary(settings)
-    if settings.task in (SETUP, COMPARE) and is_part(settings.source):
-        _refuse_of_cl_file(settings)
-    _check_frames(settings)
-    _check_tool_axis(settings.tool_axis)
-    _check_barrel(settings)
 
 
 def _check_boundary(settings: Settings) -> None:
@@ -351,7 +366,8 @@ def _check_frames(settings: Settings) -> None:
             raise SettingsError(text, value)
 
 
-def _check_tool_axis(tool: ToolAxisSettings) -> None:
+def _check_tool_axis(settings: Settings) -> None:
+    tool = settings.tool_axis
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
         raise SettingsError(
