@@ -7,7 +7,7 @@ import pytest
 
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.gouge import search
+from freecad_fiveaxis.core.gouge import refinement, traversal
 from freecad_fiveaxis.core.gouge.search import find_demanded_lift
 from freecad_fiveaxis.core.gouge.swept_motion import still_positions, ways_up
 from freecad_fiveaxis.core.tool import Cutter
@@ -86,15 +86,15 @@ def test_the_highest_asked_first_demand_what_all_asked_at_once_demand(kind, monk
     tree, axis = facet_tree(from_triangles(facets)), rng.normal(size=(30, 3))
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     up = ways_up(rng.uniform(-12.0, 12.0, (30, 3)), axis, np.full(30, 40.0))
-    lifts, asked, whole = [], [], search.raise_to_demand
+    lifts, asked, whole = [], [], refinement.raise_to_demand
 
     def counted(lift, block, *rest):
         asked[-1] += len(block)
         whole(lift, block, *rest)
 
-    monkeypatch.setattr(search, "raise_to_demand", counted)
+    monkeypatch.setattr(refinement, "raise_to_demand", counted)
     for at_once in (10**9, 16):
-        monkeypatch.setattr(search, "FEW_AT_ONCE", at_once)
+        monkeypatch.setattr(refinement, "FEW_AT_ONCE", at_once)
         asked.append(0)
         lifts.append(find_demanded_lift(body_of(cutter), tree, up, LIMIT))
     np.testing.assert_array_equal(*lifts)
@@ -113,15 +113,15 @@ def test_what_lies_too_low_to_demand_more_is_not_gone_into_and_nothing_is_lost_b
     )
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     ways = still_positions(tip, axis) if still else ways_up(tip, axis, np.full(10, 40.0))
-    lifts, asked, whole, prune = [], [], search.facet_bound, search.may_demand
+    lifts, asked, whole, prune = [], [], traversal.facet_bound, traversal.may_demand
 
     def counted(piece, sweep, tree, node):
         asked[-1] += len(node)
         return whole(piece, sweep, tree, node)
 
-    monkeypatch.setattr(search, "facet_bound", counted)
+    monkeypatch.setattr(traversal, "facet_bound", counted)
     for may in (prune, lambda body, ways, tree, node, lift: np.ones(len(node), np.bool_)):
-        monkeypatch.setattr(search, "may_demand", may)
+        monkeypatch.setattr(traversal, "may_demand", may)
         asked.append(0)
         lifts.append(find_demanded_lift(body_of(cutter), tree, ways, LIMIT))
     np.testing.assert_allclose(*lifts, atol=1e-9)

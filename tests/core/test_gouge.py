@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.gouge import (
     inside,
     is_closed,
     real_motion,
-    search,
+    refinement,
     straight_motion,
 )
 from freecad_fiveaxis.core.gouge.swept_motion import still_positions
@@ -361,7 +361,7 @@ def test_pairs_divided_a_few_at_a_time_find_the_same(monkeypatch):
     swept = course_through(*np.column_stack([rng.uniform(-6, 6, (30, 2)), rng.uniform(-12, -6, 30)]))
     whole = entries(ball(4.0), mesh, swept)
     shallow, known = 0.2, find_entries(ball(4.0), facet_tree(mesh), swept, 0.2, np.inf)
-    monkeypatch.setattr(search, "AT_ONCE", 7)
+    monkeypatch.setattr(refinement, "AT_ONCE", 7)
     parts, told = (
         entries(ball(4.0), mesh, swept),
         find_entries(ball(4.0), facet_tree(mesh), swept, shallow, np.inf),

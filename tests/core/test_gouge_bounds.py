@@ -12,7 +12,7 @@ from thorough import some_in_core
 from benchmarks.parts import bumpy
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
-from freecad_fiveaxis.core.gouge import find_entries, real_motion, search, straight_motion
+from freecad_fiveaxis.core.gouge import find_entries, real_motion, refinement, straight_motion
 from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pare_piece, plate_bound
 from freecad_fiveaxis.core.gouge.deepest import compute_needed_height, deepest, find_top, support_at, toward
 from freecad_fiveaxis.core.gouge.edges import nearest_on_edges
@@ -418,12 +418,12 @@ def test_what_stays_below_a_level_bottom_that_turns_is_clear_of_it_without_being
     lean = np.arctan2(2.0, 9.0)
     axis = np.array([(-np.sin(lean), 0.0, np.cos(lean)), (np.sin(lean), 0.0, np.cos(lean))])
     swept, body = straight_motion(np.zeros((2, 3)), axis), body_of(Cutter(6.0, corner=0.0))
-    rounds, halve = [], search._halve_pairs
-    monkeypatch.setattr(search, "_halve_pairs", lambda *given: rounds.append(1) or halve(*given))
+    rounds, halve = [], refinement.halve_pairs
+    monkeypatch.setattr(refinement, "halve_pairs", lambda *given: rounds.append(1) or halve(*given))
     found = find_entries(body, facet_tree(roof), swept, 0.005)
     assert found.depth[0] == 0.0 and found.bound[0] <= 0.005 and not rounds
-    monkeypatch.setattr(search, "find_top", lambda start, *_: np.full(start.tip.shape[1], np.inf))
-    monkeypatch.setattr(search, "compute_needed_height", lambda piece, top: None)
+    monkeypatch.setattr(refinement, "find_top", lambda start, *_: np.full(start.tip.shape[1], np.inf))
+    monkeypatch.setattr(refinement, "compute_needed_height", lambda piece, top: None)
     assert find_entries(body, facet_tree(roof), swept, 0.005).bound[0] <= 0.005 and len(rounds) > 3
 
 

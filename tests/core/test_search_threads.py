@@ -114,7 +114,7 @@ def test_where_the_work_is_stopped_every_thread_ends_at_its_next_tick(monkeypatc
     monkeypatch.setattr(search, "PAUSE", -1.0)
     caller, stopped, said = threading.get_ident(), threading.Event(), []
 
-    def batch(self, body, blocks, ticks, lift=None):
+    def batch(self, blocks, ticks):
         if threading.get_ident() != caller:
             stopped.wait(300.0)
             while True:

@@ -3,10 +3,11 @@
 
 from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_program, program_motion
 from .inside import inside, is_closed
+from .known_depths import Entries
 from .outline import Outline, outline
 from .rapid_ways import WayEntries
 from .rest_material import RestMaterial, find_rest_material, too_deep_finding, uncut_finding
-from .search import Entries, find_entries, which_enter
+from .search import find_entries, which_enter
 from .spots import spots
 from .swept_motion import SweptMotion, real_motion, still_positions, straight_motion
 from .too_tight import report_uncut

@@ -36,9 +36,10 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .inside import crossing_depth, find_buried_blocks, is_closed
 from .joint_box import JointSpace
+from .known_depths import Entries
 from .rapid_check import check_rapids, rapid_findings
 from .rapid_ways import WayEntries
-from .search import Entries, find_entries
+from .search import find_entries
 from .spots import MOST_SPOTS, spots
 from .swept_motion import SweptMotion, real_motion, straight_motion, without_ways
 

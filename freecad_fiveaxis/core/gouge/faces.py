@@ -25,7 +25,8 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, round_piece
 
-from .search import RELATIVE, Entries, find_entries
+from .known_depths import RELATIVE, Entries
+from .search import find_entries
 from .swept_motion import still_positions
 
 EDGE = math.radians(40.0)

@@ -16,7 +16,8 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, take_rows
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Sentence, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
-from freecad_fiveaxis.core.gouge.search import Entries, find_entries
+from freecad_fiveaxis.core.gouge.known_depths import Entries
+from freecad_fiveaxis.core.gouge.search import find_entries
 from freecad_fiveaxis.core.gouge.swept_motion import straight_motion
 from freecad_fiveaxis.core.tool.body import Body
 from freecad_fiveaxis.core.toolpath.cl_offset import rows_between

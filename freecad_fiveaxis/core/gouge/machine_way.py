@@ -36,7 +36,7 @@ from freecad_fiveaxis.core.motion.program import Program, find_unknown_ways, sta
 from freecad_fiveaxis.core.motion.trajectory import FARTHEST_WORD
 
 from .check import GougeCheck
-from .search import Entries
+from .known_depths import Entries
 
 SHARE = 0.25
 """Of the tolerance: so much ``off`` is at most."""

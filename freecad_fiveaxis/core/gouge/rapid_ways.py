@@ -29,7 +29,8 @@ from .bounds import pare_piece, toward_box, toward_triangle
 from .deepest import deepest, end_and_side, support_at
 from .edges import along
 from .joint_box import Hulls, JointBoxes, JointSpace
-from .search import family, find_entries, halves_of_facets
+from .pairs import family, halves_of_facets
+from .search import find_entries
 from .swept_motion import still_positions
 
 SLICE = 4096

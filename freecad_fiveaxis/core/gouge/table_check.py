@@ -21,8 +21,8 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import PARTS, Body, body_support
 
 from .check import check_program, program_motion
+from .known_depths import Entries
 from .rapid_ways import WayEntries
-from .search import Entries
 from .swept_motion import SweptMotion
 
 BEYOND = 1000.0

@@ -19,9 +19,9 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import PARTS, Body, grow_body
 
 from .check import GougeCheck, check_program
+from .known_depths import Entries
 from .rapid_check import unproven_blocks
 from .rapid_ways import WayEntries
-from .search import Entries
 
 
 class Worst(NamedTuple):

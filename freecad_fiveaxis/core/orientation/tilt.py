@@ -32,8 +32,9 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, Point, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
+from freecad_fiveaxis.core.gouge.known_depths import Entries
 from freecad_fiveaxis.core.gouge.lift import AIM
-from freecad_fiveaxis.core.gouge.search import Entries, find_entries, which_enter
+from freecad_fiveaxis.core.gouge.search import find_entries, which_enter
 from freecad_fiveaxis.core.gouge.swept_motion import SweptMotion, straight_motion
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.orientation.minimax.sweep import cheapest
