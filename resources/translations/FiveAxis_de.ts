@@ -4656,6 +4656,10 @@
         <translation>Bevor die Steuerung die Ebene schwenkt, zieht sie das Werkzeug um einen Parameter der Maschine zurück; diese Bewegung fehlt hier.</translation>
     </message>
     <message>
+        <source>Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand.</source>
+        <translation>Mit senkrechtem Werkzeug beginnen und enden oder safe_start der Maschinendatei auf none setzen und von Hand beginnen.</translation>
+    </message>
+    <message>
         <source>Between pecks the tool stays {back} off the depth reached here; on this control a setting says how far. No other place hangs on it.</source>
         <translation>Zwischen den Zustellungen bleibt das Werkzeug hier {back} vor der erreichten Tiefe; an dieser Steuerung sagt das ein Parameter. Kein anderer Ort hängt davon ab.</translation>
     </message>
@@ -5272,6 +5276,10 @@
         <translation>Das Teil wird in {count} Anstellungen geschnitten, jede mit eigener Werkzeugachse: {axes}.</translation>
     </message>
     <message>
+        <source>The part is not known here: watch that move.</source>
+        <translation>Das Werkstück ist hier nicht bekannt: diese Bewegung beobachten.</translation>
+    </message>
+    <message>
         <source>The part reaches {depth} below the table of {machine}, so its place is not known and no tool axis leans below level. Give {origin} the place of the work zero, or {max_axis_angle} how far axes may lean.</source>
         <translation>Das Teil reicht {depth} unter den Tisch von {machine}; sein Ort ist also nicht bekannt, und keine Werkzeugachse neigt sich unter die Waagrechte. Mit {origin} den Ort des Nullpunkts angeben, oder mit {max_axis_angle}, wie weit sich Achsen neigen dürfen.</translation>
     </message>
@@ -5444,8 +5452,8 @@
         <translation>Das Werkzeug wurde auf {length} der Bahnen abgehoben, am meisten bei {place}: um {lift} entlang seiner Achse. Was dort keine andere Bahn schneidet, bleibt stehen. Diese Stellen mit einem kleineren Fräser oder einer anderen Werkzeugachse fräsen.</translation>
     </message>
     <message>
-        <source>The tool {what} along Z through the part, because the tool axis points downwards there. Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand.</source>
-        <translation>Das Werkzeug {what} entlang Z durch das Werkstück, weil die Werkzeugachse dort nach unten zeigt. Mit senkrechtem Werkzeug beginnen und enden oder safe_start der Maschinendatei auf none setzen und von Hand beginnen.</translation>
+        <source>The tool {what} along Z through {obstacle}, {why}.</source>
+        <translation>Das Werkzeug {what} entlang Z durch {obstacle}, {why}.</translation>
     </message>
     <message>
         <source>The toolpath of {label} was deleted</source>
@@ -6078,6 +6086,10 @@
     <message>
         <source>ball ends, end mills, bull noses and tapered ball noses are of use here: choose one, or give the cutter by hand</source>
         <translation>brauchbar sind hier Kugel-, Schaft-, Torus- und kegelige Kugelfräser: einen davon wählen oder den Fräser von Hand angeben</translation>
+    </message>
+    <message>
+        <source>because the tool axis points downwards there</source>
+        <translation>weil die Werkzeugachse dort nach unten zeigt</translation>
     </message>
     <message>
         <source>below the table</source>
@@ -7732,6 +7744,10 @@
         <translation>die beste Stellung liegt am Rand des Bereichs</translation>
     </message>
     <message>
+        <source>the box of the cutting points</source>
+        <translation>den Quader um die Punkte des Schnitts</translation>
+    </message>
+    <message>
         <source>the captures at tool and work, which main is given, do not stand in what can be read of the model</source>
         <translation>die Captures an Werkzeug und Werkstück, die main bekommt, stehen nicht in dem, was sich vom Modell lesen lässt</translation>
     </message>
@@ -7874,6 +7890,10 @@
     <message>
         <source>the file {kind}; export the machine from FreeCAD again</source>
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
+    </message>
+    <message>
+        <source>the fixture {name}</source>
+        <translation>das Spannmittel {name}</translation>
     </message>
     <message>
         <source>the formula of So et al. has no root in these blocks</source>
@@ -8602,6 +8622,10 @@
     <message>
         <source>which kinematics a number switches to, as LinuxCNC counts</source>
         <translation>auf welche Kinematik eine Nummer umschaltet, wie LinuxCNC zählt</translation>
+    </message>
+    <message>
+        <source>which lies above that place</source>
+        <translation>weil dies über der Stelle liegt</translation>
     </message>
     <message>
         <source>with the part turned the rotary limits allow no way</source>

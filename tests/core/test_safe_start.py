@@ -13,12 +13,14 @@ from itertools import product
 import numpy as np
 import pytest
 from bare_machines import BARE
+from mesh_shapes import box as make_box
 from scipy.spatial.transform import Rotation
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.progress import silent
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.machine import SafeStart, load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
@@ -330,3 +332,55 @@ def test_a_start_from_below_through_the_part_is_an_error(tmp_path):
         context = JobContext(made.settings, made.machine, made.kinematics, made.dialect, box, silent)
         found = [one for one in start_findings(context, made.program) if one.code == "start-through-part"]
         assert [one.severity for one in found] == [Severity.ERROR] * errors
+        assert all("because the tool axis points downwards there" in one.text for one in found)
+
+
+def test_a_part_above_an_upright_tool_is_not_told_of_as_an_axis_that_points_downwards(tmp_path):
+    made = posted(tmp_path, SafeStart())
+    box = (np.array([0.0, 0.0, 65.0]), np.array([80.0, 80.0, 200.0]))
+    context = JobContext(made.settings, made.machine, made.kinematics, made.dialect, box, silent)
+    found = [one for one in start_findings(context, made.program) if one.code == "start-through-part"]
+    assert [one.severity for one in found] == [Severity.ERROR] * 2
+    assert all("which lies above that place" in one.text and "down" not in one.text[25:] for one in found)
+
+
+def path_with_link(folder, high):
+    """A CL file that cuts at Z 30 and goes over, by a link at ``high`` mm, to where it ends."""
+    lean = (0.6, 0.0, 0.8)
+    tip = np.array([(20, 10, 60), (20, 10, 30), (24, 11, 30), (60, 11, high), (24, 10.5, 50)], float)
+    motion = np.array([Motion.RAPID, Motion.CUT, Motion.CUT, Motion.LINK, Motion.LINK], np.int8)
+    axis, none, feed = np.tile(lean, (5, 1)), np.full(5, -1), np.where(motion == Motion.RAPID, 0.0, 500.0)
+    path = CLPath(tip, axis, motion, feed, tip, axis, none, none, none)
+    (folder / "b.apt").write_bytes(write_apt(path, Cutter(8.0), "b", head=ClHead()))
+    return str(folder / "b.apt")
+
+
+def through(source, **options):
+    given = {"machine": "trunnion_ac", "tool_length": 90.0, "spindle": "off"} | options
+    made = job.make(build_settings("post", source, given))
+    return [one for one in made.findings if one.code == "start-through-part"]
+
+
+def test_links_and_retracts_of_a_cl_file_do_not_stand_for_the_part(tmp_path):
+    """The tool rises within the box of all feed moves, whose farthest corner is a link."""
+    assert not through(path_with_link(tmp_path, 90.0))
+
+
+def test_cutting_points_above_the_last_place_are_a_note_of_a_part_that_is_not_known(tmp_path):
+    tip = np.array([(0, 0, 60), (-20, 0, 30), (20, 0, 30), (0, 0, 40), (0, 0, 20)], float)
+    motion = np.array([Motion.RAPID, *[Motion.CUT] * 3, Motion.LINK], np.int8)
+    axis, none, feed = np.tile((0.0, 0.0, 1.0), (5, 1)), np.full(5, -1), np.full(5, 500.0)
+    path = CLPath(tip, axis, motion, feed, tip, axis, none, none, none)
+    source = tmp_path / "c.apt"
+    tip[1, 1], tip[2, 1] = -20.0, 20.0  # the box has a width
+    source.write_bytes(write_apt(path, Cutter(8.0), "c", head=ClHead()))
+    (found,) = through(str(source))
+    assert found.severity is Severity.NOTE and "The part is not known here" in found.text
+    assert "rises from its last place along Z through the box of the cutting points" in found.text
+
+
+def test_a_fixture_over_the_last_place_is_an_error_without_a_part_too(tmp_path):
+    write_stl(from_triangles(make_box((0, 0, 0), (80, 80, 200))), tmp_path / "clamp.stl")
+    found = through(path_file(tmp_path), fixture=(f"{tmp_path / 'clamp.stl'}@0,0,65",))
+    assert [one.severity for one in found] == [Severity.ERROR] * 2
+    assert all("through the fixture clamp.stl@0,0,65" in one.text for one in found)

@@ -45,6 +45,15 @@ class JobContext:
 
 
 @dataclass(frozen=True, eq=False)
+class PostContext(JobContext):
+    """Without the part: ``cuts``: the box of the cutting points, which stands for the part where the program
+    begins and ends; ``fixtures``: that stand beside it."""
+
+    cuts: Box
+    fixtures: tuple[Fixture, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
 class MillContext(JobContext):
     """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of.
     ``field``: of the tool axes on them, where the strategy chooses these by what is free; ``joined``: part

@@ -59,7 +59,7 @@ from .collision_avoidance import (
     rest_material_findings,
     still_true,
 )
-from .context import JobContext
+from .context import Box, PostContext
 from .driving import drive, post_path
 from .fewer_axes import suit_tool_axis
 from .in_machine import check_bodies, look_in_machine, over_tip
@@ -219,14 +219,21 @@ def post(
     file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
     given, path = settings, file.path
     settings = with_head(given, file.head)
-    feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
-    box = box_with((feeding.min(axis=0), feeding.max(axis=0)), fixtures)
-    context = JobContext(settings, machine, kinematics, dialect, box, progress)
+    box, cuts = box_with(_box_of_moves(path, Motion.RAPID), fixtures), _box_of_moves(path, Motion.LINK)
+    context = PostContext(settings, machine, kinematics, dialect, box, progress, cuts, fixtures)
     taken = settings.cutter is not given.cutter
     found = path.findings + (
         cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter)
     )
     return replace(post_path(context, path, drive(context, path), found), fixtures=fixtures)
+
+
+def _box_of_moves(path: CLPath, first_left_out: Motion) -> Box:
+    """Find the box of the tips of all moves but those from ``first_left_out`` on; of all where none is
+    left."""
+    kept = path.motion < first_left_out
+    tip = path.tip[kept] if kept.any() else path.tip
+    return tip.min(axis=0), tip.max(axis=0)
 
 
 def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = None) -> Result:

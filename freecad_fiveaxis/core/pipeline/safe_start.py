@@ -13,14 +13,14 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Option, say
+from freecad_fiveaxis.core.base.sentences import Option, Sentence, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_NOTHING, Machine
-from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program, plane_above, upwards, within_travel
 from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 
-from .context import Box, JobContext
+from .context import Box, JobContext, PostContext
 from .options import choose_rapid_body, tip_to_driven
 from .settings import Settings
 
@@ -60,7 +60,7 @@ def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]
         found += (report_finding(Code.STARTS_AT_REFERENCE, text),)
     if machine.safe_start.retract == BY_NOTHING or not len(program.words):
         return found
-    return found + _through_part(context.kinematics, program, context.box)
+    return found + _through_part(context, program)
 
 
 def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
@@ -77,32 +77,57 @@ def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
     return () if speed else (report_finding(Code.SPINDLE_OFF, text, severity=severity),)
 
 
-def _through_part(kinematics: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
-    """Return an error where the straight way of Z to the first place, or from the last, meets the part's
-    box."""
+def _find_obstacles(context: JobContext) -> list[tuple[Sentence, Box, Severity]]:
+    """Find what the first and the last way must not pass through. Where no part is known the cutting points
+    stand for it, which is worth a note only: links and retracts are where the part is not."""
+    if not isinstance(context, PostContext):
+        return [(say("the part"), context.box, Severity.ERROR)]
+    fixed = [
+        (say("the fixture {name}", name=one.name), one.mesh.box, Severity.ERROR) for one in context.fixtures
+    ]
+    return [*fixed, (say("the box of the cutting points"), context.cuts, Severity.NOTE)]
+
+
+def _through_part(context: JobContext, program: Program) -> tuple[Finding, ...]:
+    """Return what the straight way of Z to the first place, or from the last, meets."""
+    kinematics, obstacles = context.kinematics, _find_obstacles(context)
     found, ends = [], (0, len(program.words) - 1)
     for row, what in zip(
         ends, (say("comes down to its first place"), say("rises from its last place")), strict=True
     ):
         words = program.words[row : row + 1]
-        place, up = (
-            forward_tip(kinematics, words_to_q(words))[0],
-            upwards(kinematics, np.radians(words[:, 3:]))[0],
-        )
-        if _meets(place, up, *box):
-            text = say(
-                "The tool {what} along Z through the part, because the tool axis points downwards there. "
-                "Begin and "
-                "end with an upright tool, or set the machine file's safe_start to none and begin by hand.",
-                what=what,
-            )
-            x, y, z = place.tolist()
-            found.append(
-                report_finding(
-                    Code.START_THROUGH_PART, text, block=row, line=int(program.line[row]), place=(x, y, z)
-                )
-            )
+        (place,), (axis,) = forward(kinematics, words_to_q(words))
+        up = upwards(kinematics, np.radians(words[:, 3:]))[0]
+        for obstacle, box, severity in obstacles:
+            if _meets(place, up, *box):
+                text = _through_text(what, obstacle, bool(axis[2] < 0.0), severity)
+                found.append(_through_finding(text, severity, program, row, place))
     return tuple(found)
+
+
+def _through_text(what: Sentence, obstacle: Sentence, downwards: bool, severity: Severity) -> Sentence:
+    why = (
+        say("because the tool axis points downwards there")
+        if downwards
+        else say("which lies above that place")
+    )
+    lead = say("The tool {what} along Z through {obstacle}, {why}.", what=what, obstacle=obstacle, why=why)
+    if severity is Severity.NOTE:
+        return join_sentences((lead, say("The part is not known here: watch that move.")))
+    remedy = say(
+        "Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand."
+    )
+    return join_sentences((lead, remedy))
+
+
+def _through_finding(
+    text: Sentence, severity: Severity, program: Program, row: int, place: Floats
+) -> Finding:
+    x, y, z = place.tolist()
+    return report_finding(
+        Code.START_THROUGH_PART, text, block=row, line=int(program.line[row]), place=(x, y, z),
+        severity=severity,
+    )  # fmt: skip
 
 
 def _meets(place: Floats, way: Floats, low: Floats, high: Floats) -> bool:
