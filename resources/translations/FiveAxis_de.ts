@@ -4928,6 +4928,10 @@
         <translation>Mehr oder weniger Platz als {gap}: Werkzeuglänge, Nullpunktverschiebung oder {mark} sind falsch. Nicht weitermachen.</translation>
     </message>
     <message>
+        <source>Most blocks keep that feed, whatever way their axes go; look at F in the others.</source>
+        <translation>Die meisten Sätze halten diesen Vorschub, wie auch immer ihre Achsen fahren; F in den anderen ansehen.</translation>
+    </message>
+    <message>
         <source>Most of that is blocked by {name}.</source>
         <translation>Das meiste davon versperrt {name}.</translation>
     </message>
@@ -5638,6 +5642,10 @@
     <message>
         <source>With a tool that sticks out {more} farther there is a way.</source>
         <translation>Mit einem Werkzeug, das {more} weiter auskragt, gibt es einen Weg.</translation>
+    </message>
+    <message>
+        <source>With rotary axes turning, F means other things on other controls. This one has no inverse time: give each block an F for the way of its axes, as {post} does.</source>
+        <translation>Wenn Rundachsen drehen, bedeutet F auf verschiedenen Steuerungen Verschiedenes. Diese hat keinen zeitreziproken Vorschub: jedem Satz ein F für den Weg seiner Achsen geben, wie es {post} tut.</translation>
     </message>
     <message>
         <source>With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).</source>

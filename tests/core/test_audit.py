@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -231,6 +232,56 @@ def test_a_feed_over_the_part_that_is_not_f_is_a_warning():
     assert rates.travel[2] == pytest.approx(100 * math.radians(30), rel=0.01)
 
 
+def fan(own_feed=1000.0, count=40):
+    """Blocks of 1 mm and 0.25 deg and more, each with the F over X Y Z that keeps ``own_feed`` mm/min over the
+    part, as a post writes it for LinuxCNC under G94. Returns kinematics, words and F."""
+    kinematics, words = kinematics_at(), np.zeros((count, 5))
+    words[:, 0], words[:, 3] = np.arange(count), np.cumsum(np.linspace(0.0, 10.0, count))
+    travel = compute_commanded_rates(kinematics, program_of(kinematics, words)).travel
+    return kinematics, words, own_feed / np.maximum(travel, 1.0)
+
+
+def fed(kinematics, words, feed, inverse_time="G93"):
+    """What is found where a block of 1 mm takes the time of its F."""
+    program = replace(program_of(kinematics, words, 60.0 / feed), feed=feed)
+    return feed_findings(kinematics, program, compute_commanded_rates(kinematics, program), inverse_time)
+
+
+@pytest.mark.parametrize("inverse_time", ["G93", ""])
+def test_an_f_that_keeps_the_feed_over_the_part_is_right_however_the_axes_go(inverse_time):
+    kinematics, words, feed = fan()
+    assert feed.max() > 2 * feed.min()
+    assert fed(kinematics, words, feed, inverse_time) == ()
+    feed[30] *= 8.0
+    (found,) = fed(kinematics, words, feed, inverse_time)
+    assert (found.code, found.severity, found.block) == ("feed-over-part", Severity.WARNING, 30)
+    assert found.value == pytest.approx(8000, rel=1e-6) and found.limit == pytest.approx(1000)
+    assert "the median of all blocks is 1000" in found.text and "Post with" not in found.text
+
+
+def test_a_plunge_and_an_axis_at_its_limit_are_rightly_slower_where_f_keeps_the_feed():
+    kinematics, words, feed = fan()
+    words[20:, 3] -= words[20, 3] - words[19, 3]
+    feed[20] = 100.0  # the tip alone moves: F says it
+    assert fed(kinematics, words, feed) == ()
+    feed[30] /= 8.0
+    assert [one.block for one in fed(kinematics, words, feed)] == [30]
+    at_limit = feed[30] * math.radians(words[30, 3] - words[29, 3])
+    assert fed(replace(kinematics, rate=np.array([1e9, 1e9, 1e9, at_limit, 1e9])), words, feed) == ()
+
+
+@pytest.mark.parametrize(
+    ("inverse_time", "advice"),
+    [("G93", "Post with inverse time (G93)."), ("", "This one has no inverse time")],
+)
+def test_one_f_for_all_ways_is_a_warning_with_what_the_controller_can_do(inverse_time, advice):
+    kinematics, words, _ = fan()
+    (found,) = fed(kinematics, words, np.full(len(words), 1000.0), inverse_time)
+    assert (found.code, found.severity, found.limit) == ("feed-over-part", Severity.WARNING, 1000.0)
+    assert "where F says 1000" in found.text and advice in found.text
+    assert ("G93" in found.text) == (inverse_time == "G93")
+
+
 def test_under_inverse_time_the_median_is_the_measure():
     words = np.zeros((30, 5))
     words[:, 0] = np.arange(30.0)
@@ -321,6 +372,16 @@ def test_a_program_made_here_is_within_limits_and_rates(tmp_path):
         assert not {"limit", "axis-rate"} & set(codes(audit.findings))
         feeds = audit.rates.tip_feed[audit.rates.tip_feed > 0]
         assert np.median(feeds) == pytest.approx(2000, rel=2e-3)
+
+
+def test_a_heidenhain_program_is_not_told_of_inverse_time(tmp_path):
+    source = tmp_path / "p.h"
+    source.write_text(
+        "0 BEGIN PGM P MM\n1 L X+0 Y+0 Z+300 A+0 C+0 FMAX\n2 L X+10 F600\n3 L X+10.5 A+30 F600\n4 END PGM P MM\n"
+    )
+    result = job.run(build_settings("audit", str(source), {"machine": "trunnion_ac"}))
+    (found,) = (one for one in result.findings if one.code == "feed-over-part")
+    assert "where F says 600" in found.text and "no inverse time" in found.text and "G93" not in found.text
 
 
 def test_a_program_of_rapids_alone_is_audited(tmp_path):

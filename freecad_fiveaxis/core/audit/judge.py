@@ -33,7 +33,8 @@ class AuditOptions:
     """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; the ``cutter``;
     ``body``: cutter, shank and holder where all of them, and rapids, are held against the part, None: a ball
     cutter's ball alone; ``above`` mm: so far over the driven point lies the one that is held against a CL
-    path; ``rapids``: how the controller drives them."""
+    path; ``rapids``: how the controller drives them; ``inverse_time``: its word for it, "" where it has
+    none."""
 
     tolerance: float
     axis_tolerance: float
@@ -41,6 +42,7 @@ class AuditOptions:
     body: Body | None = None
     above: float = 0.0
     rapids: str = INTERPOLATED
+    inverse_time: str = "G93"
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +76,7 @@ def audit_program(
     found = (
         *limits.findings,
         *rate_findings(kinematics, program, rates),
-        *feed_findings(kinematics, program, rates),
+        *feed_findings(kinematics, program, rates, options.inverse_time),
     )
     path = part = None
     if against is not None:

@@ -23,7 +23,15 @@ from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints, freeze
-from freecad_fiveaxis.core.base.sentences import Feed, Number, Sentence, Task, measure, plural, say
+from freecad_fiveaxis.core.base.sentences import (
+    Feed,
+    Number,
+    Sentence,
+    Task,
+    measure,
+    plural,
+    say,
+)
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.program.feeds import STILL, tip_travel
@@ -34,8 +42,12 @@ PORTION = 65536
 RATE_ROUNDING = 1e-3
 """Share; excess over a rate that is rounding of F and of the words."""
 OTHER_THAN_F, OTHER_THAN_MEDIAN = 2.0, 5.0
-"""A tip feed off by this factor is worth a finding: off the F word under G94; under G93, where approaches are
-rightly slower than cuts, off the median of all feed blocks."""
+"""A tip feed off by this factor is worth a finding: off the F word under G94; off the median of all feed
+blocks, where approaches are rightly slower than cuts, under G93 and where F follows the way of the axes."""
+STEADY = 0.05
+"""Share off the median up to which F, or the tip feed, is that of most blocks."""
+AT_LIMIT = 0.95
+"""Share of its maximum rate from which an axis holds a block back, rightly."""
 DEGREES = np.array([1.0, 1.0, 1.0, math.degrees(1.0), math.degrees(1.0)])
 
 
@@ -122,22 +134,65 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
     return tuple(found)
 
 
-def feed_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
+@dataclass(frozen=True, eq=False)
+class _Meant:
+    """What the tip feed of feed blocks ``rows`` (n,) should be: ``wanted`` (n,) mm/min, within ``factor`` to
+    either side; ``by_f``: because F says so, else because most blocks have it."""
+
+    rows: Ints
+    wanted: Floats
+    factor: float
+    by_f: bool
+    advice: Sentence
+    severity: Severity
+
+
+def feed_findings(
+    kinematics: Chain, program: Program, rates: Rates, inverse_time: str = "G93"
+) -> tuple[Finding, ...]:
     """Return a finding where the tip moves over the part at quite another speed than F says (G94), or than
-    elsewhere (G93)."""
+    elsewhere (G93, and G94 where F follows the way of the axes so that the tip keeps its feed).
+    ``inverse_time``: the controller's word for it, "" where it has none."""
     rows = find_timed_feeds(program)
     rows = rows[rates.travel[rows] > STILL]
     inverse = program.inverse_time[rows]
-    return (
-        *_unlike(kinematics, program, rates, rows[~inverse], program.feed[rows[~inverse]], OTHER_THAN_F),
-        *_unlike(
-            kinematics,
-            program,
-            rates,
-            rows[inverse],
-            _median(rates.tip_feed[rows[inverse]]),
-            OTHER_THAN_MEDIAN,
-        ),
+    by_f, by_time = rows[~inverse], rows[inverse]
+    usual = _median(rates.tip_feed[by_time])
+    look = say(
+        "Approaches and blocks in which an axis is at its limit are rightly slower; look at the others."
+    )
+    meant = (
+        _meant_by_f(program, rates, by_f, inverse_time),
+        _Meant(by_time, usual, OTHER_THAN_MEDIAN, False, look, Severity.NOTE),
+    )
+    return tuple(one for each in meant for one in _unlike(kinematics, program, rates, each))
+
+
+def _meant_by_f(program: Program, rates: Rates, rows: Ints, inverse_time: str) -> _Meant:
+    """Find what F in the blocks ``rows`` is for: the tip, or the way of the axes, so that the tip keeps its
+    feed. In the second case blocks are left out in which the tip does what F says (a plunge), or which an
+    axis at its maximum rate makes slower."""
+    feed, tip_feed = program.feed[rows], rates.tip_feed[rows]
+    if _count_steady(tip_feed) <= _count_steady(feed):
+        return _Meant(rows, feed, OTHER_THAN_F, True, _advise(inverse_time), Severity.WARNING)
+    usual = _median(tip_feed)
+    held_back = (tip_feed < usual) & (rates.ratio[rows] >= AT_LIMIT)
+    kept = np.flatnonzero((_factor(tip_feed / feed) > OTHER_THAN_F) & ~held_back)
+    advice = say("Most blocks keep that feed, whatever way their axes go; look at F in the others.")
+    return _Meant(rows[kept], usual[kept], OTHER_THAN_MEDIAN, False, advice, Severity.WARNING)
+
+
+def _advise(inverse_time: str) -> Sentence:
+    """Return what to do where F is not the feed over the part."""
+    if inverse_time:
+        return say(
+            "With rotary axes turning, F under G94 means other things on other controls. Post with inverse "
+            "time (G93)."
+        )
+    return say(
+        "With rotary axes turning, F means other things on other controls. This one has no inverse time: "
+        "give each block an F for the way of its axes, as {post} does.",
+        post=Task("post"),
     )
 
 
@@ -145,25 +200,24 @@ def _median(values: Floats) -> Floats:
     return np.full(len(values), np.median(values)) if len(values) else values
 
 
-def _unlike(
-    kinematics: Chain, program: Program, rates: Rates, rows: Ints, wanted: Floats, factor: float
-) -> tuple[Finding, ...]:
-    """``wanted`` (n,) mm/min: what the tip feed of ``rows`` (n,) should be, within ``factor`` to either
-    side."""
-    share = rates.tip_feed[rows] / wanted
-    off = np.maximum(share, 1.0 / share)
-    far = np.flatnonzero(off > factor)
+def _count_steady(values: Floats) -> int:
+    """Count what is off the median by STEADY at most."""
+    return int((np.abs(values - _median(values)) <= STEADY * _median(values)).sum())
+
+
+def _factor(share: Floats) -> Floats:
+    return np.maximum(share, 1.0 / share)
+
+
+def _unlike(kinematics: Chain, program: Program, rates: Rates, meant: _Meant) -> tuple[Finding, ...]:
+    """Return one finding of all blocks whose tip feed is not what is ``meant``."""
+    rows, off = meant.rows, _factor(rates.tip_feed[meant.rows] / meant.wanted)
+    far = np.flatnonzero(off > meant.factor)
     if not len(far):
         return ()
     at = int(far[off[far].argmax()])
     row, feed = int(rows[at]), float(rates.tip_feed[rows[at]])
-    by_f = not program.inverse_time[row]
-    speed = Feed(wanted[at], ".5g", bare=True)
-    meant = (
-        say("F says {speed}", speed=speed)
-        if by_f
-        else say("the median of all blocks is {speed}", speed=speed)
-    )
+    speed = Feed(meant.wanted[at], ".5g", bare=True)
     first, last = (int(program.line[rows[far[i]]]) for i in (0, -1))
     where = plural(
         len(far),
@@ -172,28 +226,22 @@ def _unlike(
         first=first,
         last=last,
     )
-    text = (
-        say(
-            "In {where} the tip moves over the part more than {factor} times faster or slower than meant: at "
-            "worst {feed} in NC line {line}, where {meant}. ",
-            where=where,
-            factor=Number(factor),
-            feed=Feed(feed, ".5g"),
-            line=program.line[row],
-            meant=meant,
-        )
-    ) + (
-        say(
-            "With rotary axes turning, F under G94 means other things on other controls. Post with inverse "
-            "time (G93)."
-        )
-        if by_f
-        else say(
-            "Approaches and blocks in which an axis is at its limit are rightly slower; look at the others."
-        )
+    lead = say(
+        "In {where} the tip moves over the part more than {factor} times faster or slower than meant: at "
+        "worst {feed} in NC line {line}, where {meant}. ",
+        where=where,
+        factor=Number(meant.factor),
+        feed=Feed(feed, ".5g"),
+        line=program.line[row],
+        meant=say("F says {speed}", speed=speed)
+        if meant.by_f
+        else say("the median of all blocks is {speed}", speed=speed),
     )
-    found = _finding(Code.FEED_OVER_PART, text, feed, float(wanted[at]), "mm/min", kinematics, program, row)
-    return (found if by_f else replace(found, severity=Severity.NOTE),)
+    limit = float(meant.wanted[at])
+    found = _finding(
+        Code.FEED_OVER_PART, lead + meant.advice, feed, limit, "mm/min", kinematics, program, row
+    )
+    return (replace(found, severity=meant.severity),)
 
 
 def _blocks(rows: Ints) -> Sentence:

@@ -308,8 +308,9 @@ def _audit_draft(
     above = compute_driven_to_surface(settings)
     rapids = rapids_of(settings, draft.machine, draft.dialect)
     options = AuditOptions(
-        proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids
-    )
+        proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids,
+        draft.dialect.inverse_time,
+    )  # fmt: skip
     return audit_program(draft.kinematics, draft.program, deviation, against, options, progress)
 
 
