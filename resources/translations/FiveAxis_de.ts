@@ -4948,8 +4948,8 @@
         <translation>NC-Zeile {line}: Abweichung {deviation}, bewiesene Schranke {bound}, erlaubt sind {tolerance}. Den Satz teilen.</translation>
     </message>
     <message>
-        <source>NC line {line}: {turns} to lean the tool by {lean}. Keep the tool off the pole.</source>
-        <translation>NC-Zeile {line}: {turns}, um das Werkzeug um {lean} zu neigen. Das Werkzeug vom Pol fernhalten.</translation>
+        <source>NC line {line}: {turns}. Keep the tool off the pole.</source>
+        <translation>NC-Zeile {line}: {turns}. Das Werkzeug vom Pol fernhalten.</translation>
     </message>
     <message>
         <source>NOT SAFE</source>
@@ -8724,12 +8724,12 @@
         <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {commanded_rate}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
     <message>
-        <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from the path may show.</source>
-        <translation>{blocks} nahe am Pol (das Werkzeug fast entlang der Achse {letter}), wo {letter} weit drehen muss, um das Werkzeug ein wenig zu neigen. Am schlimmsten ist NC-Zeile {line}: {turns}, um das Werkzeug um {lean} zu neigen. Die Achse ist vielleicht zu langsam für den programmierten Vorschub, das Werkzeug verweilt, und Marken oder eine Abweichung vom Weg können zu sehen sein.</translation>
+        <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool a little. The worst is NC line {line}: {turns}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from the path may show.</source>
+        <translation>{blocks} nahe am Pol (das Werkzeug fast entlang der Achse {letter}), wo {letter} weit drehen muss, um das Werkzeug ein wenig zu neigen. Am schlimmsten ist NC-Zeile {line}: {turns}. Die Achse ist vielleicht zu langsam für den programmierten Vorschub, das Werkzeug verweilt, und Marken oder eine Abweichung vom Weg können zu sehen sein.</translation>
     </message>
     <message>
-        <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than the tool leans: most in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and no rotary axis comes to its maximum rate there.</source>
-        <translation>{blocks} nahe am Pol (das Werkzeug fast längs der {letter}-Achse); dort dreht {letter} mehr, als das Werkzeug sich neigt: am meisten in NC-Zeile {line}: {turns}, um das Werkzeug um {lean} zu neigen. Jeder hält die Toleranz nachweislich ein, und keine Rundachse erreicht dort ihre höchste Drehzahl.</translation>
+        <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than the tool leans: most in NC line {line}, where {turns}. Each holds the tolerance by proof, and no rotary axis comes to its maximum rate there.</source>
+        <translation>{blocks} nahe am Pol (das Werkzeug fast längs der {letter}-Achse); dort dreht {letter} mehr, als das Werkzeug sich neigt: am meisten in NC-Zeile {line}: {turns}. Jeder hält die Toleranz nachweislich ein, und keine Rundachse erreicht dort ihre höchste Drehzahl.</translation>
     </message>
     <message>
         <source>{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation is within it, its proven upper bound is not (worst, NC line {line}: bound {bound}).</source>
@@ -9350,6 +9350,10 @@
     <message>
         <source>{letter} turns the wrong way</source>
         <translation>{letter} dreht falsch herum</translation>
+    </message>
+    <message>
+        <source>{letter} turns {turn} and the tool leans as before</source>
+        <translation>{letter} dreht {turn}, und das Werkzeug neigt sich wie zuvor</translation>
     </message>
     <message>
         <source>{letter} turns {whole} in all in {blocks} in which the tool stands at the pole, along the {letter} axis, and does not lean: most in NC line {line}, {turn}. The surface is held: each keeps the tolerance by proof, and the tool keeps {kept} % of its feed or more. Nothing is to be done.</source>
@@ -10042,6 +10046,10 @@
     <message>
         <source>{travel} for each {arm} from the axis</source>
         <translation>{travel} je {arm} Abstand von der Achse</translation>
+    </message>
+    <message>
+        <source>{turns} to lean the tool by {lean}</source>
+        <translation>{turns}, um das Werkzeug um {lean} zu neigen</translation>
     </message>
     <message>
         <source>{unknown}: no setting of a tessellation; known: {known}</source>

@@ -10,13 +10,14 @@ from report_examples import TRUNNION, program_of, sampled
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.gouge import Entries, GougeCheck
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.motion.program.guided import Guided
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import Light, list_findings, markers, summary, verdict
 from freecad_fiveaxis.core.report.figures import Figures
 from freecad_fiveaxis.core.report.judgement import judge
+from freecad_fiveaxis.core.report.turns_at_pole import assume_programmed_feed
 
 UPRIGHT = [(0, 0, 0, 0, 0), (2, 0, 0, 30, 0), (4, 0, 0, 70, 0)]
 """C turns by 30 and 40 deg while the tool stands along it; the blocks are 2 and more mm long."""
@@ -116,6 +117,54 @@ def test_a_plain_box_is_not_to_be_checked_for_turns_on_its_flat_top():
     path = draft.joints.path
     fast = replace(draft, joints=replace(draft.joints, path=replace(path, feed=5.0 * path.feed)))
     assert "singular-block" in {one.code for one in job.prove(fast).findings}
+
+
+@pytest.mark.parametrize("controller", ["linuxcnc", "heidenhain"])
+def test_an_audit_counts_the_blocks_at_the_pole_as_the_making_of_the_program_does(controller, tmp_path):
+    block = prism([(-8, 0), (8, 0), (8, 12), (-8, 12)], 20.0)
+    given = {"machine": "trunnion_ac", "cutter": "ball:8", "scallop": 0.4, "spindle": 8000}
+    made = job.prove(job.make(build_settings("mill", "box", given | {"controller": controller}), mesh=block))
+    (tmp_path / "p.nc").write_bytes(made.draft.nc)
+    read = job.run(build_settings("audit", str(tmp_path / "p.nc"), {"machine": "trunnion_ac"}))
+    asked, counted = (summary(job.figures(one))["blocks_at_pole"] for one in (made, read))
+    assert counted == asked > 10
+    codes = [one.code for one in read.findings]
+    assert codes.count("turns-at-pole") == 1 and "singular-block" not in codes
+
+
+def test_a_program_of_others_is_held_against_the_feed_that_it_mostly_has():
+    """One block dwells while C turns, all others go at 600 mm/min: so much is taken as programmed."""
+    words = np.array([(2.0 * k, 0, 0, 0, 0) for k in range(8)], float)
+    words[5:, 3] = 30.0
+    kinematics = chain(TRUNNION, Setup())
+    program = program_of(kinematics, words, feed=600.0)
+    seconds = np.append(
+        0.0, np.linalg.norm(np.diff(forward_tip(kinematics, words_to_q(words)), axis=0), axis=1) / 10
+    )
+    program = replace(program, seconds=seconds)
+    usual = assume_programmed_feed(kinematics, program)
+    assert usual == pytest.approx(np.full(8, 600.0))
+    deviation, singularity = sampled(kinematics, words)
+    for slower, code in ((1.0, "turns-at-pole"), (2.0, "singular-block")):
+        late = replace(program, seconds=np.where(np.arange(8) == 5, slower, 1.0) * seconds)
+        usual = assume_programmed_feed(kinematics, late)
+        found = judge(kinematics, late, deviation, singularity, 30.0, programmed=usual)
+        assert [one.code for one in found] == [code]
+
+
+def test_without_any_time_no_feed_is_taken_as_programmed():
+    kinematics = chain(TRUNNION, Setup())
+    program = program_of(kinematics, np.array(UPRIGHT, float))
+    assert assume_programmed_feed(kinematics, replace(program, seconds=np.zeros(3))) is None
+
+
+def test_a_tool_that_does_not_lean_by_the_turn_is_not_told_of_as_leaning_by_0_deg():
+    (still,) = found_in(UPRIGHT[:2], asked=None).findings
+    assert (
+        "C turns 30 deg and the tool leans as before" in still.text and "lean the tool by" not in still.text
+    )
+    (leaning,) = found_in([(0, 0, 0, 0, 0), (2, 0, 0, 30, 0.1)], asked=None).findings
+    assert "C turns 30 deg and A 0.1 deg to lean the tool by 0.1 deg" in leaning.text
 
 
 def test_each_place_has_its_marker_and_its_row():

@@ -43,6 +43,7 @@ from freecad_fiveaxis.core.passes import find_pass_strategy
 from freecad_fiveaxis.core.report import Figures, judge
 from freecad_fiveaxis.core.report.contacts import Contacts, contacts_of
 from freecad_fiveaxis.core.report.near_part import stand_of
+from freecad_fiveaxis.core.report.turns_at_pole import assume_programmed_feed
 from freecad_fiveaxis.core.toolpath.apt import cutter_note, cutter_taken, of_cl_file, read_cl_file
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
@@ -279,10 +280,10 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
 
 
 def find_programmed_feed(draft: ProgramDraft) -> Floats | None:
-    """Return how fast the tip was to go over the part in each block (m,), mm/min; None of a program that was
-    not made here."""
+    """Return how fast the tip was to go over the part in each block (m,), mm/min; of a program that was not
+    made here as it mostly goes, None where that is not known."""
     if not isinstance(draft, PostedProgram):
-        return None
+        return assume_programmed_feed(draft.kinematics, draft.program)
     return draft.joints.path.feed.take(np.maximum(draft.program.row, 0))
 
 

@@ -41,7 +41,7 @@ from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.singularity import Singularity
 
 from .figures import WORST, axis_rates, inner_words, travel, worst_first
-from .turns_at_pole import find_turns_at_pole, measure_kept
+from .turns_at_pole import UPRIGHT, find_turns_at_pole, measure_kept
 
 ROUND_UP = 1.0 + 1e-4
 """A bound must not become less by being told with five digits."""
@@ -214,23 +214,20 @@ def _near_pole(
     def whole(row: int) -> Sentence:
         lead = say(
             "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far "
-            "to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. "
-            "The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation "
-            "from the path may show.",
+            "to lean the tool a little. The worst is NC line {line}: {turns}. The axis may be too slow for "
+            "the programmed feed, the tool dwells, and marks or a deviation from the path may show.",
             blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
             letter=program.letters[3],
             line=program.line[row],
-            turns=_turns(program, row),
-            lean=_lean(singularity, row),
+            turns=_turns_to_lean(program, singularity, row),
         )
         return join_sentences((lead, _AWAY))
 
     def single(row: int) -> Sentence:
         return say(
-            "NC line {line}: {turns} to lean the tool by {lean}. Keep the tool off the pole.",
+            "NC line {line}: {turns}. Keep the tool off the pole.",
             line=program.line[row],
-            turns=_turns(program, row),
-            lean=_lean(singularity, row),
+            turns=_turns_to_lean(program, singularity, row),
         )
 
     kind = _Kind(Code.SINGULAR_BLOCK, turned, None)
@@ -257,13 +254,12 @@ def _note_harmless(
     row = int(worst_first(rows, turned)[0])
     text = say(
         "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than "
-        "the tool leans: most in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the "
-        "tolerance by proof, and no rotary axis comes to its maximum rate there.",
+        "the tool leans: most in NC line {line}, where {turns}. Each holds the tolerance by proof, and no "
+        "rotary axis comes to its maximum rate there.",
         blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
         letter=program.letters[3],
         line=program.line[row],
-        turns=_turns(program, row),
-        lean=_lean(singularity, row),
+        turns=_turns_to_lean(program, singularity, row),
     )
     return [_finding(_Kind(Code.SINGULAR_BLOCK, turned, None, Severity.NOTE), program, deviation, row, text)]
 
@@ -293,8 +289,18 @@ def _turns_at_pole(
     return [replace(one, value=whole)]
 
 
-def _lean(singularity: Singularity, row: int) -> Angle:
-    return Angle(math.degrees(singularity.axis_travel[row]), ".3g")
+def _turns_to_lean(program: Program, singularity: Singularity, row: int) -> Sentence:
+    """Return what the rotary axes do in a block and what the tool axis does by it, which may be nothing."""
+    lean = singularity.axis_travel[row]
+    if lean > 2.0 * UPRIGHT:
+        angle = Angle(math.degrees(lean), ".3g")
+        return say("{turns} to lean the tool by {lean}", turns=_turns(program, row), lean=angle)
+    turn = float(np.abs(program.words[row, 3] - program.words[row - 1, 3]))
+    return say(
+        "{letter} turns {turn} and the tool leans as before",
+        letter=program.letters[3],
+        turn=Angle(turn, ".4g"),
+    )
 
 
 def _near(near: int, rows: int, program: Program) -> str:

@@ -14,9 +14,10 @@ import math
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward, forward_tip, words_to_q
 from freecad_fiveaxis.core.motion.deviation import Deviation
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.motion.program.feeds import STILL
 from freecad_fiveaxis.core.motion.singularity import Singularity
 
 UPRIGHT = math.radians(0.5e-3)
@@ -47,6 +48,20 @@ def find_turns_at_pole(
     share, upright = measure_kept(kinematics, program, rows, programmed)
     found[rows] = upright & (share >= KEPT)
     return found
+
+
+def assume_programmed_feed(kinematics: Chain, program: Program) -> Floats | None:
+    """Return what stands for the programmed feed (m,) mm/min of a program that was not made here: the median
+    over the part of its feed blocks in which the tip moves, for F need not be the tip's; None where no block
+    has a time."""
+    rows = feed_blocks(program)
+    rows = rows[program.seconds[rows] > 0.0]
+    tip = forward_tip(kinematics, words_to_q(program.words))
+    step = np.linalg.norm(tip[rows] - tip[rows - 1], axis=1)
+    moving = step > STILL
+    if not moving.any():
+        return None
+    return np.full(len(program.words), np.median(step[moving] * 60.0 / program.seconds[rows[moving]]))
 
 
 def measure_kept(kinematics: Chain, program: Program, rows: Ints, programmed: Floats) -> tuple[Floats, Bools]:
