@@ -162,13 +162,13 @@ def feed_findings(
         "Approaches and blocks in which an axis is at its limit are rightly slower; look at the others."
     )
     meant = (
-        _meant_by_f(program, rates, by_f, inverse_time),
+        _find_what_f_is_for(program, rates, by_f, inverse_time),
         _Meant(by_time, usual, OTHER_THAN_MEDIAN, False, look, Severity.NOTE),
     )
     return tuple(one for each in meant for one in _unlike(kinematics, program, rates, each))
 
 
-def _meant_by_f(program: Program, rates: Rates, rows: Ints, inverse_time: str) -> _Meant:
+def _find_what_f_is_for(program: Program, rates: Rates, rows: Ints, inverse_time: str) -> _Meant:
     """Find what F in the blocks ``rows`` is for: the tip, or the way of the axes, so that the tip keeps its
     feed. In the second case blocks are left out in which the tip does what F says (a plunge), or which an
     axis at its maximum rate makes slower."""
