@@ -190,12 +190,12 @@ def still_true(
     findings: tuple[Finding, ...],
     check: GougeCheck | None,
     rest: RestMaterial | None,
-    told: Sequence[Finding],
+    later: Sequence[Finding],
 ) -> tuple[Finding, ...]:
     """Return the findings without those that the check of the finished program and the map of what is left,
-    where there were any, have settled, by what they have ``told``: a side of which the map finds less than
+    where there were any, have settled, by the findings ``later`` than these: a side of which the map finds less than
     half uncut is swept from its neighbours."""
-    uncut = area_of(told, Code.UNCUT) if rest is not None else math.inf
+    uncut = area_of(later, Code.UNCUT) if rest is not None else math.inf
 
     def stays(one: Finding) -> bool:
         if one.code == Code.SIDE_NOT_MACHINED:
