@@ -5080,6 +5080,10 @@
         <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder einen kleineren Halter nehmen.</translation>
     </message>
     <message>
+        <source>Passes are {stepover} apart and the cutter is {width} wide: strips between them stay uncut. Give a smaller {option}, or the {scallop} that may stay.</source>
+        <translation>Die Bahnen liegen {stepover} auseinander, der Fräser ist {width} breit: Die Streifen dazwischen bleiben stehen. Mit {option} einen kleineren Abstand angeben oder mit {scallop}, wie viel stehen bleiben darf.</translation>
+    </message>
+    <message>
         <source>Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. Choose other passes, or a smaller stepover or scallop, for those.</source>
         <translation>Bahnen berühren keine der {count} Facetten von {area}, die zu fräsen sind: Sie liegen längs der Bahnen oder zwischen zweien. Für diese andere Bahnen wählen, oder einen kleineren Bahnabstand oder eine kleinere Rauhöhe.</translation>
     </message>
@@ -7426,6 +7430,10 @@
     <message>
         <source>passes along Y, in direction {angle}</source>
         <translation>Bahnen entlang Y, in Richtung {angle}</translation>
+    </message>
+    <message>
+        <source>passes are farther apart than the cutter is wide</source>
+        <translation>die Bahnen liegen weiter auseinander, als der Fräser breit ist</translation>
     </message>
     <message>
         <source>passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or a curve on it</source>

@@ -9,9 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plain import build_settings
+from revolved import solid_of_revolution
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, read_stl, write_stl
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, read_stl, write_stl
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.pipeline import job
 
@@ -28,27 +29,9 @@ OPTIONS = {
 REAL = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl")) / "sh1.stl"
 
 
-def turned(profile):
-    """A solid (mesh) of a profile (k, 2) of radius and height mm, from the axis above to the axis below,
-    turned about Z."""
-    inner, turn = np.asarray(profile[1:-1]), 2.0 * math.pi * np.arange(COLUMNS) / COLUMNS
-    ring = [
-        np.outer(inner[:, 0], np.cos(turn)),
-        np.outer(inner[:, 0], np.sin(turn)),
-        np.repeat(inner[:, 1:], COLUMNS, 1),
-    ]
-    point, row = np.stack(ring, axis=-1).reshape(-1, 3), np.arange(len(inner) * COLUMNS).reshape(-1, COLUMNS)
-    after = np.roll(row, -1, axis=1)
-    a, b, c, d = (part.ravel() for part in (row[:-1], row[1:], after[1:], after[:-1]))
-    top, low = np.full(COLUMNS, len(point)), np.full(COLUMNS, len(point) + 1)
-    face = [[top, row[0], after[0]], [low, after[-1], row[-1]], [a, b, c], [a, c, d]]
-    ends = [[0.0, 0.0, profile[0][1]], [0.0, 0.0, profile[-1][1]]]
-    return from_faces(np.concatenate([point, ends]), np.concatenate([np.stack(one, 1) for one in face]))
-
-
 def boss():
     """A cylinder on a round plate, whose side is avoided."""
-    mesh = turned([(0, 10), (ROUND, 10), (ROUND, 0), (20, 0), (20, -5), (0, -5)])
+    mesh = solid_of_revolution([(0, 10), (ROUND, 10), (ROUND, 0), (20, 0), (20, -5), (0, -5)], COLUMNS)
     return mesh, (np.abs(mesh.normal[:, 2]) < 0.1) & (mesh.vertex[mesh.face][..., 2].min(axis=1) >= 0.0)
 
 
@@ -56,7 +39,7 @@ def dome():
     """Half a ball on a round plate, all of which is avoided."""
     polar = np.linspace(0.0, math.pi / 2.0, COLUMNS // 4 + 1)
     cap = [(ROUND * math.sin(one), ROUND * math.cos(one)) for one in polar[:-1]]
-    mesh = turned([*cap, (ROUND, 0.0), (20, 0), (20, -5), (0, -5)])
+    mesh = solid_of_revolution([*cap, (ROUND, 0.0), (20, 0), (20, -5), (0, -5)], COLUMNS)
     return mesh, (mesh.vertex[mesh.face][..., 2].max(axis=1) > 1e-6)
 
 

@@ -447,3 +447,18 @@ def test_the_part_reaches_as_far_as_its_farthest_corner():
     assert np.isinf(part_heights(facet_tree(plate()), normal)).all() and not len(
         part_heights(facet_tree(mesh), normal[:0])
     )
+
+
+def test_where_all_nodes_near_by_lie_on_another_face_the_tool_stands_along_the_normal():
+    """On a shaft of slivers all nodes near a contact may be those of its end: here all are on top of the
+    sphere, and no axis that is free there is free below its equator."""
+    mesh, reacher = stemmed(), reacher_of(None)
+    all_round = np.ones(len(mesh.face), bool)
+    path = close_gaps(slice_mesh(mesh, np.linspace(-6.0, 6.0, 5), 0.0, all_round), mesh, SHORT.corner, 0.05)
+    whole = field_on(stemmed, reacher, NODES)
+    top = np.flatnonzero(whole.nodes.normal[:, 2] > 0.9)
+    field = facets_with_axis.AxisField(whole.nodes.take(top), whole.freedom.of(top), whole.axis[top])
+    axis, free, _ = auto_axes(path, facet_mean(path, AxisOptions()), field, mesh, reacher, AxisOptions())
+    below = (path.normal[:, 2] < -0.3) & (path.normal[:, 2] > -0.6)
+    assert below.sum() > 20 and (free[below] > Free.NONE).mean() > 0.9
+    assert (axis[below] * path.normal[below]).sum(axis=1).min() > 0.9

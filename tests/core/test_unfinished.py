@@ -6,15 +6,17 @@ import math
 import numpy as np
 import pytest
 from gouge_examples import prism, step
+from revolved import solid_of_revolution
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import report_finding
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge import RestMaterial, report_uncut
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.too_tight import find_ball, find_too_tight
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished
+from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished, still_true
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import as_text, summary, verdict
 from freecad_fiveaxis.core.report.unfinished import Unfinished, name_unfinished
@@ -109,3 +111,63 @@ def test_a_step_says_how_much_of_what_stays_is_its_inside_corner():
     assert parts["out_of_reach"] > 0.0 and parts["left_by_settings"] > 0.0
     assert "the tool cannot reach (tighter than the cutter)" in verdict(figures, numbers).text
     assert f"(out of reach {100.0 * parts['out_of_reach']:.1f} %" in " ".join(as_text(figures).split())
+
+
+# ------------------------------------------------------------------------------ what is suspected, and what is known
+
+ON_TRUNNION = {"machine": "trunnion_ac", "cutter": "ball:6", "spindle": "off"}
+
+
+def judged(mesh, **options):
+    """Findings, figures and verdict of a part."""
+    made = job.prove(job.make(build_settings("mill", "part", {**ON_TRUNNION, **options}), mesh=mesh))
+    figures = job.figures(made)
+    return {one.code: one for one in made.findings}, summary(figures), verdict(figures, summary(figures))
+
+
+@pytest.mark.parametrize("rest", ["off", "on"])
+@pytest.mark.parametrize("passes", ["planes", "scallop"])
+def test_passes_farther_apart_than_the_cutter_is_wide_leave_strips_and_are_never_safe(passes, rest):
+    """On flat ground 20 mm apart a ball of 6 mm touches lines; what it sweeps to a hundredth is a millimetre."""
+    found, numbers, said = judged(step(), passes=passes, stepover=20, rest=rest)
+    strips = found["stepover-beyond-cutter"]
+    assert (strips.value, strips.limit) == (20.0, 6.0) and "uncut" in found
+    assert numbers["unfinished_share"] > 0.8 and said.light.name == "AMBER"
+    assert "passes are farther apart than the cutter is wide" in said.text
+
+
+def test_passes_within_the_cutters_width_leave_scallops():
+    found, numbers, _ = judged(step(), passes="scallop", stepover=5.9, rest="on")
+    assert "stepover-beyond-cutter" not in found and numbers["unfinished_share"] < 0.3
+
+
+def rest_at(heights, areas):
+    """Rest material of these heights on these areas."""
+    point, none = np.zeros((len(heights), 3)), np.zeros(len(heights), int)
+    return RestMaterial(point, none, np.array(areas), np.array(heights), none, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("height", "area", "severity"), [(0.09, 0.05, "NOTE"), (0.09, 0.5, "WARNING"), (0.2, 0.05, "WARNING")]
+)
+def test_hardly_more_on_hardly_anything_is_a_note(height, area, severity):
+    (found,) = report_uncut(rest_at([0.01, height], [1000.0, area]), 0.05)
+    assert (found.code, found.value, found.severity.name) == ("uncut", area, severity)
+
+
+@pytest.mark.parametrize(("uncut", "stays"), [(0.0, False), (40.0, False), (60.0, True)])
+def test_a_side_that_no_pass_touches_is_left_to_the_map_where_there_is_one(uncut, stays):
+    side = report_finding(Code.SIDE_NOT_MACHINED, say("a side"), 100.0)
+    map_, told = rest_at([0.0], [1.0]), [report_finding(Code.UNCUT, say("rest"), uncut, unit="mm2")]
+    assert still_true((side,), None, map_, told) == ((side,) if stays else ())
+    assert still_true((side,), None, None, ()) == (side,)
+
+
+def test_rings_of_slivers_narrower_than_the_passes_are_apart_are_no_sides():
+    """A cup with a fillet of many narrow rings: passes go round between them, and the ball sweeps all."""
+    angle = np.linspace(-math.pi / 2.0, 0.0, 14)
+    fillet = [(6.0 + 5.0 * math.cos(one), 5.0 + 5.0 * math.sin(one)) for one in angle]
+    outside = [(0.0, -4.0), (15.0, -4.0), (15.0, 12.0), (11.0, 12.0)]
+    cup = solid_of_revolution([*outside, *fillet[::-1], (0.0, 0.0)][::-1], 36)
+    found, numbers, _ = judged(cup, passes="scallop", scallop=0.05)
+    assert "side-not-machined" not in found and numbers["unfinished_share"] < 0.01

@@ -129,6 +129,12 @@ class Code(str, Enum):
         "mm",
         "the scallop asks for passes nearer than the least interval",
     )
+    STEPOVER_BEYOND_CUTTER = (
+        "stepover-beyond-cutter",
+        WARNING,
+        "mm",
+        "passes are farther apart than the cutter is wide",
+    )
     OFF_FLANK = (
         "off-flank",
         WARNING,

@@ -24,7 +24,7 @@ import numpy as np
 import scipy
 
 from freecad_fiveaxis.core.base.chunks import in_threads
-from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -65,6 +65,10 @@ MOST_SAMPLES = 4_000_000
 
 CHUNK = 131_072
 """Points and samples near them that are looked at together."""
+
+LITTLE = 1e-4
+"""Of the surface: that more than may stays on so little of it, and nowhere twice as much, is told, and no
+reason to check the program."""
 
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
@@ -353,7 +357,9 @@ def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
         height=Length(remainder.height[worst], ".4g"),
         volume=Volume(volume, ".4g"),
     )
-    return (report_finding(Code.UNCUT, text, area, 0.0, place=(x, y, z), unit="mm2"),)
+    little = area <= LITTLE * remainder.area.sum() and remainder.height[worst] <= 2.0 * above
+    severity = Severity.NOTE if little else Severity.WARNING
+    return (report_finding(Code.UNCUT, text, area, 0.0, place=(x, y, z), unit="mm2", severity=severity),)
 
 
 def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:

@@ -253,15 +253,20 @@ def _pull_axes(
     progress: Progress,
 ) -> tuple[Floats, Bools]:
     """Return the axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest
-    nodes, and what is free."""
+    nodes, or to their own normals, and what is free. On slivers the nearest nodes may all lie on another
+    face."""
     found, free, wanted, out = axis.copy(), free.copy(), [axis], np.flatnonzero(~free)
     if not len(out):
         return found, free
     node, _ = field.near(contacts.point[out], contacts.mean[out])
-    for column in node.T:
+    for column in (*node.T, None):
         still = ~free[out]
-        left, near, tried = out[still], column[still], axis.copy()
-        tried[left], _ = nearest_free(axis[left], field.nodes.normal[near], field.freedom.of(near))
+        left, tried = out[still], axis.copy()
+        if column is None:
+            tried[left] = contacts.mean[left]
+        else:
+            near = column[still]
+            tried[left], _ = nearest_free(axis[left], field.nodes.normal[near], field.freedom.of(near))
         left = left[
             ~np.any([(one[left] == tried[left]).all(axis=1) for one in wanted], axis=0)
         ]  # nodes side by side: one direction

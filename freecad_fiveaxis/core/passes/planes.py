@@ -123,7 +123,10 @@ def _without_pass(region: Region, touched: Ints) -> Ints:
         mesh.vertex[mesh.face[rows]].mean(axis=1)
     )[0]
     apart = max(region.interval, 2.0 * (region.covered or 0.0))
-    small = mesh.area[rows] < apart**2
+    side = np.linalg.norm(np.diff(mesh.vertex[mesh.face[rows]][:, [0, 1, 2, 0]], axis=1), axis=2).max(axis=1)
+    small = (
+        2.0 * mesh.area[rows] < apart * side
+    )  # narrower than passes are apart: it lies between two of them
     close = beside[mesh.face[rows]].any(axis=1) | (off < BESIDE * apart)
     return np.asarray(rows[~(small & close)])
 

@@ -8,6 +8,7 @@ allowed   so much may stay on the part, mm: scallops and tolerance.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -43,6 +44,7 @@ from .options import (
     axis_options,
     rapids_of,
     read_scallop,
+    steps_over_strips,
     tip_to_driven,
     tip_to_surface,
     tool_body,
@@ -112,6 +114,8 @@ def _rest_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
     if passes.stepover is None:
         return read_scallop(settings) or 0.0
+    if steps_over_strips(settings):  # no scallop stands between such passes
+        return 0.0
     turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
     lean = axis_options(settings)
     stand = (tool.tool_axis, replace(lean, tilt=max(abs(lean.tilt), turned)))
@@ -182,10 +186,23 @@ def _remedy(settings: Settings) -> str:
     )
 
 
-def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple[Finding, ...]:
-    """Return the findings without those that the check of the finished program, where there was one, has
-    settled."""
-    return findings if check is None else tuple(one for one in findings if one.code not in JUDGED)
+def still_true(
+    findings: tuple[Finding, ...],
+    check: GougeCheck | None,
+    rest: RestMaterial | None,
+    later: Sequence[Finding],
+) -> tuple[Finding, ...]:
+    """Return the findings without those that the check of the finished program and the map of what is left,
+    where there were any, have settled, by the findings ``later`` than these: a side of which the map finds less than
+    half uncut is swept from its neighbours."""
+    uncut = area_of(later, Code.UNCUT) if rest is not None else math.inf
+
+    def stays(one: Finding) -> bool:
+        if one.code == Code.SIDE_NOT_MACHINED:
+            return (one.value or 0.0) <= 2.0 * uncut
+        return check is None or one.code not in JUDGED
+
+    return tuple(one for one in findings if stays(one))
 
 
 def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
@@ -213,13 +230,13 @@ def compute_finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools
 
 def rest_area(findings: tuple[Finding, ...]) -> float:
     """Return the area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides
-    that no pass touches are uncut as well: the larger counts."""
+    that no pass touches are uncut as well, where no map tells what is: the larger counts."""
     return max(area_of(findings, Code.UNCUT), area_of(findings, Code.SIDE_NOT_MACHINED)) + area_of(
         findings, Code.NEAR_AVOIDED_FACES
     )
 
 
-def area_of(findings: tuple[Finding, ...], *codes: str) -> float:
+def area_of(findings: Sequence[Finding], *codes: str) -> float:
     """Return the area, mm2, that findings of these codes name."""
     return float(sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2"))
 

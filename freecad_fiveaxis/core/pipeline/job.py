@@ -271,7 +271,7 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
         check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
     )
     hit = _in_fixtures(draft, progress) + look_in_machine(draft, against, progress)
-    found = still_true(draft.findings, gouge) + deviation.findings + entries + hit + judged
+    found = still_true(draft.findings, gouge, rest, entries) + deviation.findings + entries + hit + judged
     if draft.settings.task != AUDIT:
         return Result(draft, deviation, singularity, found, gouge=gouge, rest=rest, surface=surface)
     audited = _audit_draft(draft, deviation, against, progress)

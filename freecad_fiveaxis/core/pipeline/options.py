@@ -111,6 +111,13 @@ def read_scallop(settings: Settings) -> float | None:
     return DEFAULT_SCALLOP if passes.scallop is None and passes.stepover is None else passes.scallop
 
 
+def steps_over_strips(settings: Settings) -> bool:
+    """Tell whether passes are so far apart that strips between them are not touched: at least as far as the
+    cutter is wide. A barrel cuts with more of its flank than that."""
+    stepover, cutter = settings.passes.stepover, settings.cutter.cutter
+    return stepover is not None and cutter.barrel is None and stepover >= cutter.diameter
+
+
 def pass_options(settings: Settings) -> PassOptions:
     """Options of the strategies for the passes."""
     passes = settings.passes

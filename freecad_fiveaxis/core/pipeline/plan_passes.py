@@ -6,6 +6,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
+from freecad_fiveaxis.core.base.sentences import Length, Option, say
 from freecad_fiveaxis.core.passes import Division, Region, cut, find_pass_strategy, lay_by_slope
 from freecad_fiveaxis.core.toolpath.cl_offset import corner_radius
 from freecad_fiveaxis.core.toolpath.coedge import close_gaps
@@ -13,8 +16,9 @@ from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 from .avoided import cut_clear_of_faces
 from .bounded import cut_to_boundary
 from .context import MillContext
-from .options import pass_options
+from .options import pass_options, steps_over_strips
 from .records import OffsetContacts, PlannedPasses
+from .settings import Settings
 from .settings.tree import STEEP
 
 
@@ -25,11 +29,29 @@ def plan_passes(context: MillContext, region: Region) -> PlannedPasses:
     if (bound := context.settings.passes.steep_shallow) is not None:
         division = Division(bound, find_pass_strategy(STEEP), strategy, order, spiral)
         contact, untouched = lay_by_slope(region, options, division)
-        return PlannedPasses(contact, None, untouched + contact.findings)
+        return PlannedPasses(contact, None, untouched + contact.findings + _report_strips(context.settings))
     field = strategy.field(region, options)
     contact = cut(region, field, order, spiral)
     untouched = strategy.report_untouched(region, options, field, contact.face)
-    return PlannedPasses(contact, field.frame, untouched + contact.findings)
+    found = untouched + contact.findings + _report_strips(context.settings)
+    return PlannedPasses(contact, field.frame, found)
+
+
+def _report_strips(settings: Settings) -> tuple[Finding, ...]:
+    """Say that strips between the passes are not touched, where these are farther apart than the cutter is
+    wide."""
+    stepover, width = settings.passes.stepover, settings.cutter.cutter.diameter
+    if stepover is None or not steps_over_strips(settings):
+        return ()
+    text = say(
+        "Passes are {stepover} apart and the cutter is {width} wide: strips between them stay uncut. Give a "
+        "smaller {option}, or the {scallop} that may stay.",
+        stepover=Length(stepover),
+        width=Length(width),
+        option=Option("stepover", flag=False),
+        scallop=Option("scallop", flag=False),
+    )
+    return (report_finding(Code.STEPOVER_BEYOND_CUTTER, text, stepover, width),)
 
 
 def offset_contacts(context: MillContext, passes: PlannedPasses) -> OffsetContacts:

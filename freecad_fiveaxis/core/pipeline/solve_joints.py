@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 from .collision_avoidance import compute_commanded_motion, find_uncut
 from .context import MillContext
 from .driving import drive, post_path
-from .options import compute_driven_to_surface, rapids_of, tip_to_driven, tool_body
+from .options import compute_driven_to_surface, rapids_of, steps_over_strips, tip_to_driven, tool_body
 from .programs import MilledProgram
 from .records import LinkedPath, SolvedJoints
 
@@ -106,8 +106,9 @@ def keep_rapids_clear(context: MillContext, solved: SolvedJoints) -> SolvedJoint
 def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
-    level = context.settings.cutter.cutter.has_level_bottom
-    uncut = find_uncut(context, solved.path) if solved.cured or level else ()
+    settings = context.settings
+    suspected = settings.cutter.cutter.has_level_bottom or steps_over_strips(settings)
+    uncut = find_uncut(context, solved.path) if solved.cured or suspected else ()
     program = post_path(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,
