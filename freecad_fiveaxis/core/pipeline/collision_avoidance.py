@@ -193,8 +193,8 @@ def still_true(
     later: Sequence[Finding],
 ) -> tuple[Finding, ...]:
     """Return the findings without those that the check of the finished program and the map of what is left,
-    where there were any, have settled, by the findings ``later`` than these: a side of which the map finds less than
-    half uncut is swept from its neighbours."""
+    where there were any, have settled, by the findings ``later`` than these: a side of which the map finds
+    less than half uncut is swept from its neighbours."""
     uncut = area_of(later, Code.UNCUT) if rest is not None else math.inf
 
     def stays(one: Finding) -> bool:
