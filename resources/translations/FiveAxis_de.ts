@@ -4728,6 +4728,10 @@
         <translation>Für den Postprozessor ist {letter} die Rundachse näher am Werkstück, für {name} ist es {own}.</translation>
     </message>
     <message>
+        <source>For this cutter and these passes there is no other setting that is known to finish more, so none was tried.</source>
+        <translation>Für diesen Fräser und diese Bahnen ist keine andere Einstellung bekannt, die mehr fertig bearbeitet; es wurde daher keine versucht.</translation>
+    </message>
+    <message>
         <source>FreeCAD could not mesh {label}: check its geometry, or choose other deflections.</source>
         <translation>FreeCAD konnte {label} nicht vernetzen: die Geometrie prüfen oder andere Abweichungen wählen.</translation>
     </message>
@@ -7282,10 +7286,6 @@
     <message>
         <source>not part of any word</source>
         <translation>gehört zu keinem Wort</translation>
-    </message>
-    <message>
-        <source>nothing else</source>
-        <translation>nichts anderes</translation>
     </message>
     <message>
         <source>nothing in it moves tool or work by {letters}</source>
