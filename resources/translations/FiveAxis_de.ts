@@ -4576,6 +4576,14 @@
         <translation>AND neben OR ohne eigene Zeile</translation>
     </message>
     <message>
+        <source>About {lost} of that cannot be reached because of the fixture {fixture}, which is in the way. {remedy}</source>
+        <translation>Etwa {lost} davon sind wegen des Spannmittels {fixture}, das im Weg ist, nicht erreichbar. {remedy}</translation>
+    </message>
+    <message>
+        <source>About {lost} of that cannot be reached because of the table: the tool would go below its face. {remedy}</source>
+        <translation>Etwa {lost} davon sind wegen des Tisches nicht erreichbar: Das Werkzeug käme unter seine Fläche. {remedy}</translation>
+    </message>
+    <message>
         <source>All rotary words lie within {most}, and read as radians the tip goes {radians} instead of {degrees}: they seem to be radians, where controllers take degrees. Have the post write degrees.</source>
         <translation>Alle Drehworte liegen innerhalb von {most}, und als Bogenmaß gelesen legt die Spitze {radians} zurück statt {degrees}: Sie scheinen Bogenmaß zu sein, Steuerungen nehmen Grad. Den Postprozessor Grad schreiben lassen.</translation>
     </message>
@@ -4632,6 +4640,14 @@
         <translation>Am Ende von {count} Vorschubsätzen steht das Werkzeug nicht so, wie der CL-Weg es sagt: am schlimmsten NC-Zeile {line}, um {lean} ({tolerance} erlaubt); die erste ist NC-Zeile {first}. Sind Vorzeichen, Reihenfolge und Nullpunkte der Rundachsen die der Maschine?</translation>
     </message>
     <message>
+        <source>At the others ({share} %) the part is: use a smaller cutter or holder, or a longer tool, or turn the part.</source>
+        <translation>An den übrigen ({share} %) ist es das Teil: kleineren Fräser oder Halter oder längeres Werkzeug nehmen oder das Teil drehen.</translation>
+    </message>
+    <message>
+        <source>At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and that keeps the tool off what stands about it; they are left out. In the way is {causes}. {remedy}</source>
+        <translation>An {count} von {all} Berührpunkten ({share} %), der erste bei {place}, wurde keine Werkzeugachse gefunden, die die Maschine einnehmen kann und die das Werkzeug von dem fernhält, was um es steht; sie werden ausgelassen. Im Weg ist {causes}. {remedy}</translation>
+    </message>
+    <message>
         <source>At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer tool, or turn the part.</source>
         <translation>An {count} von {all} Berührpunkten ({share} %), der erste bei {place}, wurde keine Werkzeugachse gefunden, die die Maschine einnehmen kann und die das Werkzeug aus dem Teil hält; sie werden ausgelassen. Kleineren Fräser oder Halter oder längeres Werkzeug nehmen oder das Teil drehen.</translation>
     </message>
@@ -4686,6 +4702,14 @@
     <message>
         <source>Clamp the part elsewhere or higher, use a longer tool, or lean it less.</source>
         <translation>Das Werkstück anderswo oder höher spannen, ein längeres Werkzeug nehmen oder es weniger neigen.</translation>
+    </message>
+    <message>
+        <source>Clamp the part higher above the table.</source>
+        <translation>Das Teil höher über dem Tisch aufspannen.</translation>
+    </message>
+    <message>
+        <source>Clamp the part otherwise, so that the fixture stands elsewhere.</source>
+        <translation>Das Teil anders spannen, so dass das Spannmittel anderswo steht.</translation>
     </message>
     <message>
         <source>Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces.</source>
@@ -5766,6 +5790,10 @@
     <message>
         <source>a finite number</source>
         <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a fixture is in the way</source>
+        <translation>ein Spannmittel ist im Weg</translation>
     </message>
     <message>
         <source>a list of names</source>
@@ -7232,8 +7260,8 @@
         <translation>an Facetten ist keine Werkzeugachse frei</translation>
     </message>
     <message>
-        <source>no tool axis keeps tool and holder out of the part</source>
-        <translation>keine Werkzeugachse hält Werkzeug und Halter aus dem Teil</translation>
+        <source>no tool axis keeps the tool out of part, fixtures and table</source>
+        <translation>keine Werkzeugachse hält das Werkzeug aus Teil, Spannmitteln und Tisch</translation>
     </message>
     <message>
         <source>no tool {number}</source>
@@ -7312,8 +7340,16 @@
         <translation>von den Körpern der Maschine bleiben die, die sich gegeneinander bewegen, auseinander und aus Werkstück und Spannmitteln, soweit diese bekannt sind; außer Nachbarn, die einander berühren, wenn alle Achsen auf null stehen: {names}</translation>
     </message>
     <message>
+        <source>of what stays a fixture keeps the tool off so much</source>
+        <translation>von dem, was stehen bleibt, hält ein Spannmittel das Werkzeug von so viel ab</translation>
+    </message>
+    <message>
         <source>of what stays so much is tighter than the cutter</source>
         <translation>von dem, was stehen bleibt, ist so viel enger als der Fräser</translation>
+    </message>
+    <message>
+        <source>of what stays the table keeps the tool off so much</source>
+        <translation>von dem, was stehen bleibt, hält der Tisch das Werkzeug von so viel ab</translation>
     </message>
     <message>
         <source>on every pass</source>
@@ -7876,6 +7912,14 @@
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
     </message>
     <message>
+        <source>the fixture {fixture} at {share} % of them</source>
+        <translation>das Spannmittel {fixture} an {share} % von ihnen</translation>
+    </message>
+    <message>
+        <source>the fixture {fixture} is in the way; clamp the part otherwise</source>
+        <translation>das Spannmittel {fixture} ist im Weg; das Teil anders spannen</translation>
+    </message>
+    <message>
         <source>the formula of So et al. has no root in these blocks</source>
         <translation>die Formel von So u. a. hat in Sätzen keine Lösung</translation>
     </message>
@@ -8106,6 +8150,14 @@
     <message>
         <source>the table</source>
         <translation>den Tisch</translation>
+    </message>
+    <message>
+        <source>the table at {share} % of them</source>
+        <translation>der Tisch an {share} % von ihnen</translation>
+    </message>
+    <message>
+        <source>the table is in the way</source>
+        <translation>der Tisch ist im Weg</translation>
     </message>
     <message>
         <source>the text cannot be shown: {strerror}</source>
