@@ -4015,6 +4015,10 @@
         <translation>in einer Richtung</translation>
     </message>
     <message>
+        <source>only at block ends</source>
+        <translation>nur an Satzenden</translation>
+    </message>
+    <message>
         <source>only report</source>
         <translation>nur berichten</translation>
     </message>
@@ -4788,6 +4792,10 @@
         <translation>Wenn gilt: {text}, steht die Werkzeugspitze nur am letzten Halt um {size} daneben, was leicht übersehen wird: auf die Halte verlassen</translation>
     </message>
     <message>
+        <source>In 1 of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
+        <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der Sätze, der Weg dazwischen liegt unter RTCP.</translation>
+    </message>
+    <message>
         <source>In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
         <translation>In allen {count} geprüften Aufspannungen treffen Werkzeug oder Spindel die Maschine, am wenigsten mit dem Werkstück-Nullpunkt bei {origin}: {name} um {depth}. Den Bereich verschieben ({option}), das Werkstück höher spannen oder ein längeres Werkzeug nehmen.</translation>
     </message>
@@ -4862,6 +4870,10 @@
     <message>
         <source>In {count} links or rewinds something hits the machine, and within its travel {letter} cannot go round it.</source>
         <translation>In {count} Verbindungen oder Rückdrehungen stößt etwas an die Maschine, und in seinem Verfahrweg kommt {letter} nicht daran vorbei.</translation>
+    </message>
+    <message>
+        <source>In {count} of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
+        <translation>Bei {count} davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
@@ -6572,8 +6584,8 @@
         <translation>eine Drehachse dreht mitten im Schnitt zurück</translation>
     </message>
     <message>
-        <source>how much stays is not known here, the map of what is left ({left}) tells it</source>
-        <translation>wie viel stehen bleibt, ist hier nicht bekannt; die Karte des Restmaterials ({left}) zeigt es</translation>
+        <source>how much stays is not known from the passes alone, but told by the map of what is left where that is asked for ({left})</source>
+        <translation>wie viel stehen bleibt, ist aus den Bahnen allein nicht bekannt; die Karte des Restmaterials sagt es, wo sie verlangt ist ({left})</translation>
     </message>
     <message>
         <source>in a feed block all axes run in proportion to each other</source>
@@ -7068,6 +7080,10 @@
         <translation>mehr als {most} Klammern in Klammern</translation>
     </message>
     <message>
+        <source>move the work zero ({origin}) or take a larger machine.</source>
+        <translation>den Werkstücknullpunkt verschieben ({origin}) oder eine größere Maschine nehmen.</translation>
+    </message>
+    <message>
         <source>moves to machine positions unknown to the program; they and the ways back from there are not audited</source>
         <translation>Bewegungen zu Maschinenpositionen, die das Programm nicht kennt; sie und die Wege von dort zurück werden nicht geprüft</translation>
     </message>
@@ -7466,6 +7482,10 @@
     <message>
         <source>passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the units of the part</source>
         <translation>so dichte Bahnen wären {length} lang, mehr als ein Auftrag wollen kann; einen größeren Bahnabstand oder eine größere Rauhöhe angeben, oder die Einheit des Teils prüfen</translation>
+    </message>
+    <message>
+        <source>passes stand no closer than the least interval, and up to {value} high stays between them</source>
+        <translation>die Bahnen liegen nicht dichter als der kleinste Abstand, und bis zu {value} hoch bleibt zwischen ihnen stehen</translation>
     </message>
     <message>
         <source>passes were turned past the machine's pole</source>
@@ -8070,6 +8090,10 @@
     <message>
         <source>the program has rotary words of {names}; a five-axis machine is recovered from two of A B C</source>
         <translation>das Programm hat Rundachswörter von {names}; eine Fünfachsmaschine wird aus zweien von A B C zurückgewonnen</translation>
+    </message>
+    <message>
+        <source>the program needs {span} of {letter}, whose travel is {travel}, {short} too short. Take a larger machine, or mill less of the part at once.</source>
+        <translation>das Programm braucht {span} von {letter}, dessen Verfahrweg {travel} ist, {short} zu kurz. Eine größere Maschine nehmen oder weniger vom Teil auf einmal fräsen.</translation>
     </message>
     <message>
         <source>the program was not built for {name} as it is to be written</source>
@@ -9376,12 +9400,12 @@
         <translation>{letter} dreht insgesamt {whole} in {blocks}, in denen das Werkzeug am Pol steht, längs der {letter}-Achse, und sich nicht neigt: am meisten in NC-Zeile {line}, {turn}. Die Fläche stimmt: Jeder hält die Toleranz nachweislich ein, und das Werkzeug behält mindestens {kept} % seines Vorschubs. Zu tun ist nichts.</translation>
     </message>
     <message>
-        <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
-        <translation>{letter} müsste in einem geteilten NC-Satz nach {word} fahren, die Grenze ist {limit} ({count} Punkte): den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+        <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): {remedy}</source>
+        <translation>{letter} müsste in einem geteilten Satz nach {word}, die Grenze ist {limit} ({count} Zeilen): {remedy}</translation>
     </message>
     <message>
-        <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
-        <translation>{letter} müsste nach {word} fahren, die Grenze ist {limit} ({count} Punkte): den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+        <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): {remedy}</source>
+        <translation>{letter} müsste nach {word}, die Grenze ist {limit} ({count} Zeilen): {remedy}</translation>
     </message>
     <message>
         <source>{letter} would have to go {more} higher than its limit {limit}.</source>
