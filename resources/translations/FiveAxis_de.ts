@@ -4016,7 +4016,7 @@
     </message>
     <message>
         <source>only at block ends</source>
-        <translation>nur an Satzenden</translation>
+        <translation>nur an NC-Satzenden</translation>
     </message>
     <message>
         <source>only report</source>
@@ -4793,7 +4793,7 @@
     </message>
     <message>
         <source>In 1 of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
-        <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der Sätze, der Weg dazwischen liegt unter RTCP.</translation>
+        <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
         <source>In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
@@ -4873,7 +4873,7 @@
     </message>
     <message>
         <source>In {count} of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
-        <translation>Bei {count} davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der Sätze, der Weg dazwischen liegt unter RTCP.</translation>
+        <translation>Bei {count} davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
@@ -7081,7 +7081,7 @@
     </message>
     <message>
         <source>move the work zero ({origin}) or take a larger machine.</source>
-        <translation>den Werkstücknullpunkt verschieben ({origin}) oder eine größere Maschine nehmen.</translation>
+        <translation>den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
     </message>
     <message>
         <source>moves to machine positions unknown to the program; they and the ways back from there are not audited</source>
@@ -9401,11 +9401,11 @@
     </message>
     <message>
         <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): {remedy}</source>
-        <translation>{letter} müsste in einem geteilten Satz nach {word}, die Grenze ist {limit} ({count} Zeilen): {remedy}</translation>
+        <translation>{letter} müsste in einem geteilten NC-Satz nach {word} fahren, die Grenze ist {limit} ({count} Punkte): {remedy}</translation>
     </message>
     <message>
         <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): {remedy}</source>
-        <translation>{letter} müsste nach {word}, die Grenze ist {limit} ({count} Zeilen): {remedy}</translation>
+        <translation>{letter} müsste nach {word} fahren, die Grenze ist {limit} ({count} Punkte): {remedy}</translation>
     </message>
     <message>
         <source>{letter} would have to go {more} higher than its limit {limit}.</source>

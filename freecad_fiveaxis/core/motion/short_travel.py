@@ -8,7 +8,7 @@ from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, say
 
 
-def remedy_beyond_limit(letter: str, words: Floats, low: float, high: float) -> Sentence:
+def say_remedy_beyond_limit(letter: str, words: Floats, low: float, high: float) -> Sentence:
     """Say what helps where ``words`` (n,) mm of a linear axis leave ``low`` to ``high`` mm: to move the work
     zero, unless they span more than the axis has, and then by how much it is too short."""
     span, travel = float(words.max() - words.min()), high - low

@@ -48,7 +48,7 @@ from .axis_field import (
     with_margin,
     with_way_out,
 )
-from .blocked_places import PART, Blocker, choose_places, find_blockers, name_blocker, remedy_for
+from .blocked_places import PART, Blocker, choose_places, choose_remedy, find_blockers, name_blocker
 from .facets_with_axis import AxisField
 
 CLOSE = 1e-6
@@ -335,7 +335,7 @@ def _say_blocked(told: Mapping[str, Any], blocking: Ints, blockers: Sequence[Blo
         "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
         "machine can take up and that keeps the tool off what stands about it; they are left out. In the way "
         "is {causes}. {remedy}",
-        **told, causes=join_sentences(causes, ", "), remedy=remedy_for([one for one, _ in named]),
+        **told, causes=join_sentences(causes, ", "), remedy=choose_remedy([one for one, _ in named]),
     )  # fmt: skip
     rest = 1.0 - sum(share for _, share in named)
     besides = say(

@@ -48,7 +48,7 @@ def name_blocker(blocker: Blocker, share: Number) -> Sentence:
     return say("the fixture {fixture} at {share} % of them", fixture=blocker.name, share=share)
 
 
-def remedy_for(blockers: Sequence[Blocker]) -> Sentence:
+def choose_remedy(blockers: Sequence[Blocker]) -> Sentence:
     """Say what helps against these."""
     if all(one.name for one in blockers):
         return OTHERWISE
@@ -73,18 +73,18 @@ def find_blockers(
     is free; FREE and PART besides."""
     found = np.full(len(point), FREE)
     rows = np.arange(len(point))
-    rows = rows[~_some_free(point, normal, mesh, reacher, direction)]
+    rows = rows[~_find_some_free(point, normal, mesh, reacher, direction)]
     found[rows] = PART
     for number, one in enumerate(blockers):
         if not len(rows):
             break
-        freed = _some_free(point[rows], normal[rows], one.mesh, one.reacher, direction)
+        freed = _find_some_free(point[rows], normal[rows], one.mesh, one.reacher, direction)
         found[rows[freed]] = number
         rows = rows[~freed]
     return found
 
 
-def _some_free(point: Floats, normal: Floats, mesh: Mesh, reacher: Reacher, direction: Floats) -> Bools:
+def _find_some_free(point: Floats, normal: Floats, mesh: Mesh, reacher: Reacher, direction: Floats) -> Bools:
     """Whether any axis is free at each place (n,)."""
     tree = facet_tree(mesh)
     nodes = Nodes(

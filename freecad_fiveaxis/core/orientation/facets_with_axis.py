@@ -173,7 +173,7 @@ def _report_at_fixtures(mesh: Mesh, blocking: Ints, fixtures: Sequence[Blocker])
         group = blocking == number
         if group.any():
             why = say("the fixture {fixture} is in the way; clamp the part otherwise", fixture=one.name)
-            found.append(_left_out(mesh, group, why, ""))
+            found.append(_report_group(mesh, group, why, ""))
     return tuple(found)
 
 
@@ -232,10 +232,10 @@ def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
 
 
 def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle, longer: str) -> Finding:
-    return _left_out(mesh, group, _REMEDY[obstacle], longer if obstacle == Obstacle.MACHINE else "")
+    return _report_group(mesh, group, _REMEDY[obstacle], longer if obstacle == Obstacle.MACHINE else "")
 
 
-def _left_out(mesh: Mesh, group: Bools, remedy: Sentence, longer: str) -> Finding:
+def _report_group(mesh: Mesh, group: Bools, remedy: Sentence, longer: str) -> Finding:
     lost, share, place = _area_of(mesh, group)
     text = say(
         "{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.",

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, measure, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
-from freecad_fiveaxis.core.motion.short_travel import remedy_beyond_limit
+from freecad_fiveaxis.core.motion.short_travel import say_remedy_beyond_limit
 
 from .commanded_moves import Steps, most_off
 
@@ -130,11 +130,11 @@ def _spot(kinematics: Chain, words: Floats) -> Sentence:
     return say("X{x} Y{y} Z{z}", x=x, y=y, z=z)
 
 
-def _remedy(kinematics: Chain, words: Floats, k: int) -> Sentence:
+def _choose_remedy(kinematics: Chain, words: Floats, k: int) -> Sentence:
     """Return what helps where axis ``k`` leaves its limits."""
     if k < 3:
         low, high = float(kinematics.low[k]), float(kinematics.high[k])
-        return remedy_beyond_limit(kinematics.letters[k], words[:, k], low, high)
+        return say_remedy_beyond_limit(kinematics.letters[k], words[:, k], low, high)
     return say("move the work zero ({origin}) or take a larger machine.", origin=Option("origin"))
 
 
@@ -156,7 +156,7 @@ def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]
                 word=measure(words[row, k], unit, ".4f"),
                 limit=measure(limit, unit, ".4f"),
                 count=(excess > LIMIT_SLACK).sum(),
-                remedy=_remedy(kinematics, words, k),
+                remedy=_choose_remedy(kinematics, words, k),
             )
             reports.append(
                 _at(
