@@ -160,12 +160,11 @@ def cells(row: Any) -> list[Cell]:
         reason.setToolTip(wording.localize(row.problem))
         return [*named, *(Cell("–") for _ in range(7)), reason]
     linear = max(row.peak_rate[:3])
-    within = translate("FiveAxis", "within")
+    within, ends = translate("FiveAxis", "within"), translate("FiveAxis", "only at block ends")
     over = translate("FiveAxis", "over by {length}").format(length=length_text(row.over))
     return [
         *named,
-        Cell(length_text(row.deviation), row.deviation),
-        Cell(length_text(row.bound), row.bound),
+        *(Cell(ends if row.tool_centre else length_text(one), one) for one in (row.deviation, row.bound)),
         Cell(str(row.blocks), row.blocks),
         Cell(clock(row.time), row.time),
         Cell(f"{length_text(linear)}/min", linear),

@@ -4015,6 +4015,10 @@
         <translation>in einer Richtung</translation>
     </message>
     <message>
+        <source>only at block ends</source>
+        <translation>nur an NC-Satzenden</translation>
+    </message>
+    <message>
         <source>only report</source>
         <translation>nur berichten</translation>
     </message>
@@ -4576,6 +4580,14 @@
         <translation>AND neben OR ohne eigene Zeile</translation>
     </message>
     <message>
+        <source>About {lost} of that cannot be reached because of the fixture {fixture}, which is in the way. {remedy}</source>
+        <translation>Etwa {lost} davon sind wegen des Spannmittels {fixture}, das im Weg ist, nicht erreichbar. {remedy}</translation>
+    </message>
+    <message>
+        <source>About {lost} of that cannot be reached because of the table: the tool would go below its face. {remedy}</source>
+        <translation>Etwa {lost} davon sind wegen des Tisches nicht erreichbar: Das Werkzeug käme unter seine Fläche. {remedy}</translation>
+    </message>
+    <message>
         <source>All rotary words lie within {most}, and read as radians the tip goes {radians} instead of {degrees}: they seem to be radians, where controllers take degrees. Have the post write degrees.</source>
         <translation>Alle Drehworte liegen innerhalb von {most}, und als Bogenmaß gelesen legt die Spitze {radians} zurück statt {degrees}: Sie scheinen Bogenmaß zu sein, Steuerungen nehmen Grad. Den Postprozessor Grad schreiben lassen.</translation>
     </message>
@@ -4630,6 +4642,14 @@
     <message>
         <source>At the end of {count} feed blocks the tool does not stand as the CL path says: worst NC line {line}, by {lean} ({tolerance} allowed); first NC line {first}. Are signs, order and zeros of the rotary axes those of the machine?</source>
         <translation>Am Ende von {count} Vorschubsätzen steht das Werkzeug nicht so, wie der CL-Weg es sagt: am schlimmsten NC-Zeile {line}, um {lean} ({tolerance} erlaubt); die erste ist NC-Zeile {first}. Sind Vorzeichen, Reihenfolge und Nullpunkte der Rundachsen die der Maschine?</translation>
+    </message>
+    <message>
+        <source>At the others ({share} %) the part is: use a smaller cutter or holder, or a longer tool, or turn the part.</source>
+        <translation>An den übrigen ({share} %) ist es das Teil: kleineren Fräser oder Halter oder längeres Werkzeug nehmen oder das Teil drehen.</translation>
+    </message>
+    <message>
+        <source>At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and that keeps the tool off what stands about it; they are left out. In the way is {causes}. {remedy}</source>
+        <translation>An {count} von {all} Berührpunkten ({share} %), der erste bei {place}, wurde keine Werkzeugachse gefunden, die die Maschine einnehmen kann und die das Werkzeug von dem fernhält, was um es steht; sie werden ausgelassen. Im Weg ist {causes}. {remedy}</translation>
     </message>
     <message>
         <source>At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer tool, or turn the part.</source>
@@ -4692,6 +4712,14 @@
         <translation>Das Werkstück anderswo oder höher spannen, ein längeres Werkzeug nehmen oder es weniger neigen.</translation>
     </message>
     <message>
+        <source>Clamp the part higher above the table.</source>
+        <translation>Das Teil höher über dem Tisch aufspannen.</translation>
+    </message>
+    <message>
+        <source>Clamp the part otherwise, so that the fixture stands elsewhere.</source>
+        <translation>Das Teil anders spannen, so dass das Spannmittel anderswo steht.</translation>
+    </message>
+    <message>
         <source>Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces.</source>
         <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen.</translation>
     </message>
@@ -4732,6 +4760,10 @@
         <translation>Für den Postprozessor ist {letter} die Rundachse näher am Werkstück, für {name} ist es {own}.</translation>
     </message>
     <message>
+        <source>For this cutter and these passes there is no other setting that is known to finish more, so none was tried.</source>
+        <translation>Für diesen Fräser und diese Bahnen ist keine andere Einstellung bekannt, die mehr fertig bearbeitet; es wurde daher keine versucht.</translation>
+    </message>
+    <message>
         <source>FreeCAD could not mesh {label}: check its geometry, or choose other deflections.</source>
         <translation>FreeCAD konnte {label} nicht vernetzen: die Geometrie prüfen oder andere Abweichungen wählen.</translation>
     </message>
@@ -4762,6 +4794,10 @@
     <message>
         <source>If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops</source>
         <translation>Wenn gilt: {text}, steht die Werkzeugspitze nur am letzten Halt um {size} daneben, was leicht übersehen wird: auf die Halte verlassen</translation>
+    </message>
+    <message>
+        <source>In 1 of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
+        <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
         <source>In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
@@ -4838,6 +4874,10 @@
     <message>
         <source>In {count} links or rewinds something hits the machine, and within its travel {letter} cannot go round it.</source>
         <translation>In {count} Verbindungen oder Rückdrehungen stößt etwas an die Maschine, und in seinem Verfahrweg kommt {letter} nicht daran vorbei.</translation>
+    </message>
+    <message>
+        <source>In {count} of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
+        <translation>Bei {count} davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
@@ -5784,6 +5824,10 @@
         <translation>eine endliche Zahl</translation>
     </message>
     <message>
+        <source>a fixture is in the way</source>
+        <translation>ein Spannmittel ist im Weg</translation>
+    </message>
+    <message>
         <source>a list of names</source>
         <translation>eine Liste von Namen</translation>
     </message>
@@ -6564,8 +6608,8 @@
         <translation>eine Drehachse dreht mitten im Schnitt zurück</translation>
     </message>
     <message>
-        <source>how much stays is not known here, the map of what is left ({left}) tells it</source>
-        <translation>wie viel stehen bleibt, ist hier nicht bekannt; die Karte des Restmaterials ({left}) zeigt es</translation>
+        <source>how much stays is not known from the passes alone, but told by the map of what is left where that is asked for ({left})</source>
+        <translation>wie viel stehen bleibt, ist aus den Bahnen allein nicht bekannt; die Karte des Restmaterials sagt es, wo sie verlangt ist ({left})</translation>
     </message>
     <message>
         <source>in a feed block all axes run in proportion to each other</source>
@@ -7060,6 +7104,10 @@
         <translation>mehr als {most} Klammern in Klammern</translation>
     </message>
     <message>
+        <source>move the work zero ({origin}) or take a larger machine.</source>
+        <translation>den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+    </message>
+    <message>
         <source>moves to machine positions unknown to the program; they and the ways back from there are not audited</source>
         <translation>Bewegungen zu Maschinenpositionen, die das Programm nicht kennt; sie und die Wege von dort zurück werden nicht geprüft</translation>
     </message>
@@ -7252,8 +7300,8 @@
         <translation>an Facetten ist keine Werkzeugachse frei</translation>
     </message>
     <message>
-        <source>no tool axis keeps tool and holder out of the part</source>
-        <translation>keine Werkzeugachse hält Werkzeug und Halter aus dem Teil</translation>
+        <source>no tool axis keeps the tool out of part, fixtures and table</source>
+        <translation>keine Werkzeugachse hält das Werkzeug aus Teil, Spannmitteln und Tisch</translation>
     </message>
     <message>
         <source>no tool {number}</source>
@@ -7308,10 +7356,6 @@
         <translation>gehört zu keinem Wort</translation>
     </message>
     <message>
-        <source>nothing else</source>
-        <translation>nichts anderes</translation>
-    </message>
-    <message>
         <source>nothing in it moves tool or work by {letters}</source>
         <translation>nichts darin bewegt Werkzeug oder Werkstück mit {letters}</translation>
     </message>
@@ -7336,8 +7380,16 @@
         <translation>von den Körpern der Maschine bleiben die, die sich gegeneinander bewegen, auseinander und aus Werkstück und Spannmitteln, soweit diese bekannt sind; außer Nachbarn, die einander berühren, wenn alle Achsen auf null stehen: {names}</translation>
     </message>
     <message>
+        <source>of what stays a fixture keeps the tool off so much</source>
+        <translation>von dem, was stehen bleibt, hält ein Spannmittel das Werkzeug von so viel ab</translation>
+    </message>
+    <message>
         <source>of what stays so much is tighter than the cutter</source>
         <translation>von dem, was stehen bleibt, ist so viel enger als der Fräser</translation>
+    </message>
+    <message>
+        <source>of what stays the table keeps the tool off so much</source>
+        <translation>von dem, was stehen bleibt, hält der Tisch das Werkzeug von so viel ab</translation>
     </message>
     <message>
         <source>on every pass</source>
@@ -7458,6 +7510,10 @@
     <message>
         <source>passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the units of the part</source>
         <translation>so dichte Bahnen wären {length} lang, mehr als ein Auftrag wollen kann; einen größeren Bahnabstand oder eine größere Rauhöhe angeben, oder die Einheit des Teils prüfen</translation>
+    </message>
+    <message>
+        <source>passes stand no closer than the least interval, and up to {value} high stays between them</source>
+        <translation>die Bahnen liegen nicht dichter als der kleinste Abstand, und bis zu {value} hoch bleibt zwischen ihnen stehen</translation>
     </message>
     <message>
         <source>passes were turned past the machine's pole</source>
@@ -7908,6 +7964,14 @@
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
     </message>
     <message>
+        <source>the fixture {fixture} at {share} % of them</source>
+        <translation>das Spannmittel {fixture} an {share} % von ihnen</translation>
+    </message>
+    <message>
+        <source>the fixture {fixture} is in the way; clamp the part otherwise</source>
+        <translation>das Spannmittel {fixture} ist im Weg; das Teil anders spannen</translation>
+    </message>
+    <message>
         <source>the fixture {name}</source>
         <translation>das Spannmittel {name}</translation>
     </message>
@@ -8064,6 +8128,10 @@
         <translation>das Programm hat Rundachswörter von {names}; eine Fünfachsmaschine wird aus zweien von A B C zurückgewonnen</translation>
     </message>
     <message>
+        <source>the program needs {span} of {letter}, whose travel is {travel}, {short} too short. Take a larger machine, or mill less of the part at once.</source>
+        <translation>das Programm braucht {span} von {letter}, dessen Verfahrweg {travel} ist, {short} zu kurz. Eine größere Maschine nehmen oder weniger vom Teil auf einmal fräsen.</translation>
+    </message>
+    <message>
         <source>the program was not built for {name} as it is to be written</source>
         <translation>das Programm wurde nicht für {name} aufgebaut, wie es geschrieben werden soll</translation>
     </message>
@@ -8142,6 +8210,14 @@
     <message>
         <source>the table</source>
         <translation>den Tisch</translation>
+    </message>
+    <message>
+        <source>the table at {share} % of them</source>
+        <translation>der Tisch an {share} % von ihnen</translation>
+    </message>
+    <message>
+        <source>the table is in the way</source>
+        <translation>der Tisch ist im Weg</translation>
     </message>
     <message>
         <source>the text cannot be shown: {strerror}</source>
@@ -9368,12 +9444,12 @@
         <translation>{letter} dreht insgesamt {whole} in {blocks}, in denen das Werkzeug am Pol steht, längs der {letter}-Achse, und sich nicht neigt: am meisten in NC-Zeile {line}, {turn}. Die Fläche stimmt: Jeder hält die Toleranz nachweislich ein, und das Werkzeug behält mindestens {kept} % seines Vorschubs. Zu tun ist nichts.</translation>
     </message>
     <message>
-        <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
-        <translation>{letter} müsste in einem geteilten NC-Satz nach {word} fahren, die Grenze ist {limit} ({count} Punkte): den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+        <source>{letter} would have to go to {word} inside a divided block, its limit is {limit} ({count} rows): {remedy}</source>
+        <translation>{letter} müsste in einem geteilten NC-Satz nach {word} fahren, die Grenze ist {limit} ({count} Punkte): {remedy}</translation>
     </message>
     <message>
-        <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
-        <translation>{letter} müsste nach {word} fahren, die Grenze ist {limit} ({count} Punkte): den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+        <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): {remedy}</source>
+        <translation>{letter} müsste nach {word} fahren, die Grenze ist {limit} ({count} Punkte): {remedy}</translation>
     </message>
     <message>
         <source>{letter} would have to go {more} higher than its limit {limit}.</source>

@@ -265,6 +265,7 @@ def test_a_slot_narrower_than_the_cutter_is_bridged(worst):
     finding = path.findings[0]
     assert (finding.code, finding.severity) == ("corner-not-reached", Severity.WARNING)
     assert "an inside corner is tighter than the cutter" in finding.text and "facet" not in finding.text
+    assert "known here" not in finding.text and "where that is asked for (rest on)" in finding.text
     assert worst[1].worst == pytest.approx(np.hypot(3, 13) - 5, abs=0.05)
 
 

@@ -303,7 +303,15 @@ def test_the_words_name_the_quickest_that_holds_the_tolerance():
     rows = compare(made.path, list(stations(made)))
     best = min((row for row in rows if row.tool_centre), key=lambda row: row.time)
     told = f"{best.machine} with no correction, tool-centre control, {duration(best.time)}."
-    assert verdict(rows, 0.001) == f"3 of 6 ways hold 0.001 mm; the quickest is {told}"
+    guided = (
+        "In 3 of these the controller guides the tip: only the end points of blocks are verified there, the "
+        "path between them is under RTCP."
+    )
+    assert verdict(rows, 0.001) == f"3 of 6 ways hold 0.001 mm; the quickest is {told} {guided}"
+    straight = [row for row in rows if not row.tool_centre]
+    assert "RTCP" not in verdict(straight, 10.0) and "hold 10 mm" in verdict(straight, 10.0)
+    lines = compare_text(rows, 0.001).splitlines()
+    assert sum(line.count("ends only") for line in lines) == 2 * 3 and "0.00000" not in "".join(lines)
     assert verdict([rows[0]], 1e-9).startswith("Nothing here holds 1e-09 mm")
     assert verdict(rows).startswith("Least deviation")
     record = json.loads(compare_json(rows, {"task": "compare"}))

@@ -199,6 +199,12 @@ def test_every_kind_of_finding_has_its_words(code):
     assert code.severity is Severity.NOTE or not set(reason) & set(":;") or code is Code.SINGULAR_BLOCK
 
 
+def test_what_a_least_interval_leaves_is_a_height_and_not_the_interval():
+    figures = calm(findings=(found(Severity.WARNING, "least-interval", value=6.708, unit="mm"),))
+    told = verdict(figures, summary(figures)).text
+    assert "no closer than the least interval, and up to 6.708 mm high stays between them" in told
+
+
 def test_errors_are_named_by_what_they_do_to_the_part_and_counted_beyond_three():
     codes = ("limit", "deviation-over-tolerance", "overcut", "axis-not-reachable", "rapid-collision")
     errors = tuple(found(Severity.ERROR, code, f"It is {code}. Help.", value=0.5, line=7) for code in codes)

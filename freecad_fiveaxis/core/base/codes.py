@@ -168,7 +168,7 @@ class Code(str, Enum):
         "contacts at which a cone's flank would enter are left out",
     )
     FRAMES = "frames", NOTE, "1", "the part is cut in frames, each with a tool axis of its own"
-    NO_FREE_AXIS = "no-free-axis", WARNING, "", "no tool axis keeps tool and holder out of the part"
+    NO_FREE_AXIS = "no-free-axis", WARNING, "", "no tool axis keeps the tool out of part, fixtures and table"
     NO_WAY_OUT = "no-way-out", WARNING, "mm", "stretches that the tool could not leave are left out"
     AXIS_CHANGE_TRADE = "axis-change-trade", NOTE, "deg", "what a change of the tool axis buys near the pole"
     AXIS_LED_PAST_POLE = "axis-led-past-pole", NOTE, "deg", "passes were turned past the machine's pole"
@@ -352,6 +352,8 @@ class Code(str, Enum):
     RAPID_UNPROVEN = "rapid-unproven", WARNING, "mm", "a rapid may enter the part on some way of the axes"
     TABLE_COLLISION = "table-collision", ERROR, "mm", "the tool goes below the machine's table"
     UNCUT = "uncut", WARNING, "mm2", "more than the scallop stays"
+    UNCUT_AT_FIXTURE = "uncut-at-fixture", NOTE, "mm2", "of what stays a fixture keeps the tool off so much"
+    UNCUT_AT_TABLE = "uncut-at-table", NOTE, "mm2", "of what stays the table keeps the tool off so much"
     UNCUT_TOO_TIGHT = "uncut-too-tight", NOTE, "mm2", "of what stays so much is tighter than the cutter"
     ADVICE = "advice", NOTE, "mm2", "what another setting would finish"
 

@@ -15,9 +15,11 @@ made leaves them out, others keep the axis given there.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +27,7 @@ from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Length, Number, Point, say
+from freecad_fiveaxis.core.base.sentences import Length, Number, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
@@ -46,6 +48,7 @@ from .axis_field import (
     with_margin,
     with_way_out,
 )
+from .blocked_places import PART, Blocker, choose_places, choose_remedy, find_blockers, name_blocker
 from .facets_with_axis import AxisField
 
 CLOSE = 1e-6
@@ -119,19 +122,26 @@ class Free(IntEnum):
 
 def auto_axes(
     path: OffsetPath, given: Floats, field: AxisField, mesh: Mesh, reacher: Reacher, options: AxisOptions,
-    progress: Progress = silent, contacts: Contacts | None = None,
+    progress: Progress = silent, contacts: Contacts | None = None, blockers: Sequence[Blocker] = (),
 ) -> tuple[Floats, Ints, tuple[Finding, ...]]:  # fmt: skip
     """Find the unit axis (n, 3) of every row of ``path``, what is free with it (n,) of :class:`Free`, and say
     where nothing is.
 
     ``given`` (n, 3): what stays where no axis is free; ``field`` of the facets of ``mesh`` that are cut;
-    ``reacher``: tool, machine and table; ``contacts``: those of ``path``, None: found here.
+    ``reacher``: tool, machine and table; ``contacts``: those of ``path``, None: found here; ``blockers``:
+    what is named where it is in the way, besides the part.
     """
     tree = facet_tree(mesh)
     contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
+
+    def find_blocking(rows: Ints) -> Ints:
+        first = contacts.first[rows]
+        point = contacts.stand[first]
+        return find_blockers(point, contacts.normal[first], mesh, reacher, field.freedom.direction, blockers)
+
     free = np.zeros(len(contacts.first), np.int64)
     if not len(given) or not field.freedom.some.any():
-        return given, free[contacts.contact], _findings(free, contacts)
+        return given, free[contacts.contact], _findings(free, contacts, blockers, find_blocking)
     axis = field.at(contacts.point, contacts.mean, progress)
     for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
@@ -150,7 +160,8 @@ def auto_axes(
         for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
             axis = _lean_axes(path, contacts, axis, free == gained, tool, tree, options, progress)
     row_free = free[contacts.contact]
-    return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, _findings(free, contacts)
+    found = _findings(free, contacts, blockers, find_blocking)
+    return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, found
 
 
 def refine_field(
@@ -288,24 +299,56 @@ def _lean_axes(
     return np.where((good & free)[:, None], tried, axis)
 
 
-def _findings(free: Ints, contacts: Contacts) -> tuple[Finding, ...]:
-    """At how many contacts at which the ball fits no axis that was tried keeps the tool out of the part."""
+def _findings(
+    free: Ints, contacts: Contacts, blockers: Sequence[Blocker] = (),
+    find_blocking: Callable[[Ints], Ints] | None = None,
+) -> tuple[Finding, ...]:  # fmt: skip
+    """At how many contacts at which the ball fits no axis that was tried keeps the tool out of what is in its
+    way, and what that is: of some contacts (k,) ``find_blocking`` tells it."""
     held = contacts.all_fit & (free == Free.NONE)
     count = int(np.count_nonzero(held))
     if not count:
         return ()
     x, y, z = contacts.point[int(held.argmax())].tolist()
-    text = say(
-        "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
-        "machine can take up and that keeps the tool out of the part; they are left out. Use a smaller "
-        "cutter or holder, or a longer tool, or turn the part.",
-        count=count,
-        all=len(free),
-        share=Number(100.0 * count / len(free), ".3g"),
-        place=Point((x, y, z)),
-    )
+    told = {
+        "count": count,
+        "all": len(free),
+        "share": Number(100.0 * count / len(free), ".3g"),
+        "place": Point((x, y, z)),
+    }
+    blocking = np.array([PART])
+    if blockers and find_blocking is not None:
+        blocking = find_blocking(np.flatnonzero(held)[choose_places(np.ones(count))])
+    text = _say_blocked(told, blocking, blockers)
     severity = Severity.NOTE if count <= FEW * len(free) else Severity.WARNING
     return (report_finding(Code.NO_FREE_AXIS, text, float(count), 0.0, place=(x, y, z), severity=severity),)
+
+
+def _say_blocked(told: Mapping[str, Any], blocking: Ints, blockers: Sequence[Blocker]) -> Sentence:
+    """Say what is in the way at contacts without a free axis, of some of which it is known (k,)."""
+    shares = {number: float((blocking == number).mean()) for number in range(len(blockers))}
+    named = [(blockers[number], share) for number, share in shares.items() if share > 0.0]
+    if not named:
+        return say(
+            "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
+            "machine can take up and that keeps the tool out of the part; they are left out. Use a smaller "
+            "cutter or holder, or a longer tool, or turn the part.",
+            **told,
+        )
+    causes = [name_blocker(one, Number(100.0 * share, ".3g")) for one, share in named]
+    text = say(
+        "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
+        "machine can take up and that keeps the tool off what stands about it; they are left out. In the way "
+        "is {causes}. {remedy}",
+        **told, causes=join_sentences(causes, ", "), remedy=choose_remedy([one for one, _ in named]),
+    )  # fmt: skip
+    rest = 1.0 - sum(share for _, share in named)
+    besides = say(
+        "At the others ({share} %) the part is: use a smaller cutter or holder, or a longer tool, or turn "
+        "the part.",
+        share=Number(100.0 * rest, ".3g"),
+    )
+    return text if rest < FEW else join_sentences((text, besides))
 
 
 def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:

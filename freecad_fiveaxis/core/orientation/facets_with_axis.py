@@ -9,6 +9,7 @@ each contact is asked (:mod:`.auto_axis`).
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,6 +41,7 @@ from .axis_field import (
     unit,
     with_margin,
 )
+from .blocked_places import PART, Blocker, choose_places, find_blockers
 from .blocking_body import find_blocking_body
 
 NEAREST = 6
@@ -113,13 +115,15 @@ def find_axis_field(
 
 
 def select_facets(
-    field: AxisField, mesh: Mesh, facets: Bools, most: float, reacher: Reacher | None = None
-) -> tuple[Bools, tuple[Finding, ...]]:
+    field: AxisField, mesh: Mesh, facets: Bools, most: float, reacher: Reacher | None = None,
+    fixtures: Sequence[Blocker] = (),
+) -> tuple[Bools, tuple[Finding, ...]]:  # fmt: skip
     """Choose those of ``facets`` (f,) on or near which a node has a free axis, and say by reason what is left
     out.
 
     ``most`` rad: the largest angle from +Z that was wanted; ``reacher``: with which a longer tool is tried
-    where the machine is in the way, None: none is. Raises ReachError where nothing is left.
+    where the machine is in the way, None: none is; ``fixtures``: what is named where it is in the way, and
+    not the part. Raises ReachError where nothing is left.
     """
     some, out = field.freedom.some, np.zeros(len(mesh.face), np.bool_)
     if some.all():
@@ -143,7 +147,34 @@ def select_facets(
     longer = ""
     if reacher is not None and by_machine:
         longer = join_sentences((_name_blocking(field, mesh, reacher), _try_longer(field, mesh, reacher)))
-    return facets & ~out, _report_left_out(mesh, out, reason, most, longer)
+    blocking = np.full(len(out), PART)
+    if reacher is not None and fixtures and out.any():
+        blocking[rows] = _find_fixtures(field, about, mesh, reacher, fixtures)
+        blocking[~out | (reason == Obstacle.LIMITS) | (reason == Obstacle.TABLE)] = PART
+    by_fixture = _report_at_fixtures(mesh, blocking, fixtures)
+    return facets & ~out, by_fixture + _report_left_out(mesh, out & (blocking < 0), reason, most, longer)
+
+
+def _find_fixtures(
+    field: AxisField, about: Floats, mesh: Mesh, reacher: Reacher, fixtures: Sequence[Blocker]
+) -> Ints:
+    """Return which of the ``fixtures`` is in the way about facets (k,), by the nearest of some nodes where no
+    axis is free; below zero where none is."""
+    held = np.flatnonzero(~field.freedom.some)
+    nodes = field.nodes.take(held[choose_places(np.ones(len(held)))])
+    found = find_blockers(nodes.point, nodes.normal, mesh, reacher, field.freedom.direction, fixtures)
+    return np.asarray(found[scipy.spatial.cKDTree(nodes.places()).query(about)[1]])
+
+
+def _report_at_fixtures(mesh: Mesh, blocking: Ints, fixtures: Sequence[Blocker]) -> tuple[Finding, ...]:
+    """Say how much area is left out for each fixture, of the facets (f,) at which it is in the way."""
+    found = []
+    for number, one in enumerate(fixtures):
+        group = blocking == number
+        if group.any():
+            why = say("the fixture {fixture} is in the way; clamp the part otherwise", fixture=one.name)
+            found.append(_report_group(mesh, group, why, ""))
+    return tuple(found)
 
 
 def _some_held(field: AxisField) -> Nodes:
@@ -201,12 +232,16 @@ def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
 
 
 def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle, longer: str) -> Finding:
+    return _report_group(mesh, group, _REMEDY[obstacle], longer if obstacle == Obstacle.MACHINE else "")
+
+
+def _report_group(mesh: Mesh, group: Bools, remedy: Sentence, longer: str) -> Finding:
     lost, share, place = _area_of(mesh, group)
     text = say(
         "{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.",
-        area=Area(lost, ".6g"), share=share, remedy=_REMEDY[obstacle],
+        area=Area(lost, ".6g"), share=share, remedy=remedy,
     )  # fmt: skip
-    text = join_sentences((text, longer if obstacle == Obstacle.MACHINE else ""))
+    text = join_sentences((text, longer))
     return report_finding(Code.FACETS_WITHOUT_FREE_AXIS, text, lost, 0.0, place=place)
 
 

@@ -29,8 +29,14 @@ LEAST, SHARE = 1.0, 0.01
 """mm2, and share of what is finished, below which a gain is none."""
 SMALLER = (0.5, 1.0 / 3.0)
 """Of the diameter of a ball: these are tried."""
+SMALLER_LEVEL = (0.5,)
+"""The same of a cutter that ends level: a ball of its diameter is tried besides."""
 NOT_PLANES = ("plane_normal", "direction")
 """Options that only planes have: who gives one asks for planes."""
+NOTHING_TO_TRY = say(
+    "For this cutter and these passes there is no other setting that is known to finish more, so none was "
+    "tried."
+)
 
 Run = Callable[[Settings], Result]
 
@@ -66,20 +72,21 @@ def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
 
 
 def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
-    """Give the changes that are worth a trial: other passes, free tool axes, both, a smaller ball."""
+    """Give the changes that are worth a trial: other passes, free tool axes, both, a smaller ball; for a
+    cutter that ends level a ball of its diameter with free tool axes, which no other has, and a smaller
+    one."""
     passes = {} if settings.passes.passes == SCALLOP else {"passes": SCALLOP, **dict.fromkeys(NOT_PLANES)}
     cutter = settings.cutter.cutter
     ball = cutter.touches_as_ball and cutter.corner > 0.0
-    axes = (
-        {}
-        if settings.tool_axis.tool_axis == AUTO or not ball
-        else {"tool_axis": AUTO, "max_axis_angle": None}
-    )
+    free = {"tool_axis": AUTO, "max_axis_angle": None}
+    axes = {} if settings.tool_axis.tool_axis == AUTO or not ball else free
     yield from (one for one in (passes, axes) if one)
     if passes and axes:
         yield passes | axes
-    if ball:
-        yield from ({"cutter": cutter_text(cutter.scale(share))} for share in SMALLER)
+    if cutter.has_level_bottom:
+        yield {"cutter": cutter_text(replace(cutter, corner=cutter.radius)), **free}
+    smaller = SMALLER if ball else SMALLER_LEVEL if cutter.has_level_bottom else ()
+    yield from ({"cutter": cutter_text(cutter.scale(share))} for share in smaller)
 
 
 def _apply_changes(settings: Settings, changes: Mapping[str, Any]) -> Settings:
@@ -124,13 +131,11 @@ def add_advice(result: Result, run: Run) -> Result:
 def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
     """Tell which of the trials gains most, or that none does; ``seconds`` of the program that was asked
     for."""
-    best = trials[0] if trials else Trial({})
+    if not trials:
+        return report_finding(Code.ADVICE, NOTHING_TO_TRY)
+    best = trials[0]
     if not is_worth(best):
-        tried = (
-            join_sentences([name_changes(one.changes) for one in trials], "; ")
-            if trials
-            else say("nothing else")
-        )
+        tried = join_sentences([name_changes(one.changes) for one in trials], "; ")
         return report_finding(Code.ADVICE, say("Tried, and none finishes more: {tried}.", tried=tried))
     text = say(
         "Tried: {changes} would finish {gain} more, {finished} in all; the program then takes {time} instead "

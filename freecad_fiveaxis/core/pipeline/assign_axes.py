@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.passes.frames import Frames
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, break_polylines, lasting_rows, take_path_rows
 from freecad_fiveaxis.core.toolpath.feasible import feasible_rows
 
+from .blockers import list_blockers
 from .context import MillContext
 from .options import axis_corrections, axis_options, reacher_in, tip_to_surface, tool_body
 from .records import AssignedAxes, OffsetContacts
@@ -76,7 +77,9 @@ def free_rows(
     contacts = find_contacts(offset, mesh, reacher)
     progress("axis field", 0.0)
     field = refine_field(field, offset, mesh, reacher, progress, contacts)
-    axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress, contacts)
+    axis, free, found = auto_axes(
+        offset, axis, field, mesh, reacher, stand, progress, contacts, list_blockers(context)
+    )
     free = add_retreats(offset, axis, free, mesh, reacher, progress)
     offset, axis, free, blocked = divide_blocked_turns(
         offset, axis, free, field, mesh, reacher, stand, progress

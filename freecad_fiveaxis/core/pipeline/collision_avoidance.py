@@ -38,6 +38,7 @@ from freecad_fiveaxis.core.report.unfinished import BY_SETTINGS, WHY, Unfinished
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
+from .blockers import report_blocked
 from .bounded import make_place_test
 from .context import MillContext
 from .options import (
@@ -100,7 +101,7 @@ def find_uncut(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     rest = find_rest_material(
         mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within
     )
-    return report_uncut(rest, above)
+    return report_uncut(rest, above) + report_blocked(rest, context, above)
 
 
 def compute_allowed_rest(settings: Settings, mesh: Mesh, keep: Bools) -> float:
@@ -263,4 +264,5 @@ def rest_material_findings(rest: RestMaterial | None, context: MillContext) -> t
         return ()
     settings = context.settings
     deep = too_deep_finding(rest, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
-    return report_uncut(rest, compute_allowed_rest(settings, context.mesh, context.keep)) + deep
+    above = compute_allowed_rest(settings, context.mesh, context.keep)
+    return report_uncut(rest, above) + report_blocked(rest, context, above) + deep

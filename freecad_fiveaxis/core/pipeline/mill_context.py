@@ -39,6 +39,7 @@ from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.passes.radial_passes import unit_axis
 
 from .avoided import facets_off, keep_off_of
+from .blockers import list_blockers
 from .bounded import boundary_of, facets_inside
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis
@@ -117,7 +118,8 @@ def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillCo
         frames, keep, left_out = find_frames(context.obstacles, to_cut, reacher, most, count, progress)
     else:
         field = find_axis_field(context.obstacles, to_cut, reacher, progress)
-        keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher)
+        fixtures = [one for one in list_blockers(replace(context, bodies=bodies)) if one.name]
+        keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher, fixtures)
     context = replace(context, keep=keep[: len(facets)], field=field, frames=frames, bodies=bodies)
     return context, reports + left_out
 

@@ -24,6 +24,8 @@ WHY: Mapping[Code, Sentence] = {
     Code.FACETS_BEYOND_MACHINE: say("beyond the machine's limits"),
     Code.FACETS_WITHOUT_FREE_AXIS: say("no free axis"),
     Code.UNCUT_TOO_TIGHT: say("tighter than the cutter"),
+    Code.UNCUT_AT_TABLE: say("the table is in the way"),
+    Code.UNCUT_AT_FIXTURE: say("a fixture is in the way"),
 }
 """The codes of findings on what the tool cannot reach."""
 

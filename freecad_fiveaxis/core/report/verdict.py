@@ -232,6 +232,9 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
 WARNED: Mapping[str, Template] = {
     Code.SPINDLE_OFF: Template("the spindle stays off"),
     Code.LIFTED: Template("the tool is lifted out of the part by up to {value}"),
+    Code.LEAST_INTERVAL: Template(
+        "passes stand no closer than the least interval, and up to {value} high stays between them"
+    ),
     Code.LEFT_OUT: Template("{value} of the passes are left out"),
     Code.UNCUT: Template("more than scallops stays uncut on {value}"),
     Code.NEAR_AVOIDED_FACES: Template(

@@ -30,6 +30,7 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freez
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Point, say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, inverse_axis, joint_words
+from freecad_fiveaxis.core.motion.short_travel import say_remedy_beyond_limit
 from freecad_fiveaxis.core.tool.body import Body, Piece
 from freecad_fiveaxis.core.toolpath.cl_path import SAFE_MARGIN, CLPath, Motion
 
@@ -360,13 +361,17 @@ def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding
             if sign * (q[worst, axis] - limit) > LINEAR_SLACK:
                 count = int((sign * (q[:, axis] - limit) > LINEAR_SLACK).sum())
                 text = say(
-                    "{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the "
-                    "work zero ({origin}) or take a larger machine.",
+                    "{letter} would have to go to {word}, its limit is {limit} ({count} rows): {remedy}",
                     letter=kinematics.letters[axis],
                     word=Length(q[worst, axis], ".4f"),
                     limit=Length(limit, ".4f"),
                     count=count,
-                    origin=Option("origin"),
+                    remedy=say_remedy_beyond_limit(
+                        kinematics.letters[axis],
+                        q[:, axis],
+                        float(kinematics.low[axis]),
+                        float(kinematics.high[axis]),
+                    ),
                 )
                 x, y, z = path.tip[worst].tolist()
                 findings.append(

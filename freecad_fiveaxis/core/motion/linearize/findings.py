@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, measure, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.short_travel import say_remedy_beyond_limit
 
 from .commanded_moves import Steps, most_off
 
@@ -129,6 +130,14 @@ def _spot(kinematics: Chain, words: Floats) -> Sentence:
     return say("X{x} Y{y} Z{z}", x=x, y=y, z=z)
 
 
+def _choose_remedy(kinematics: Chain, words: Floats, k: int) -> Sentence:
+    """Return what helps where axis ``k`` leaves its limits."""
+    if k < 3:
+        low, high = float(kinematics.low[k]), float(kinematics.high[k])
+        return say_remedy_beyond_limit(kinematics.letters[k], words[:, k], low, high)
+    return say("move the work zero ({origin}) or take a larger machine.", origin=Option("origin"))
+
+
 def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]:
     """Return an error for each axis that inserted rows drive beyond its limits, at the worst place."""
     reports = []
@@ -142,12 +151,12 @@ def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]
             limit = limit if k < 3 else float(np.degrees(limit))
             text = say(
                 "{letter} would have to go to {word} inside a divided block, its limit is {limit} "
-                "({count} rows): move the work zero ({origin}) or take a larger machine.",
+                "({count} rows): {remedy}",
                 letter=letter,
                 word=measure(words[row, k], unit, ".4f"),
                 limit=measure(limit, unit, ".4f"),
                 count=(excess > LIMIT_SLACK).sum(),
-                origin=Option("origin"),
+                remedy=_choose_remedy(kinematics, words, k),
             )
             reports.append(
                 _at(

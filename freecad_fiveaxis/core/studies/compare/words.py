@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from freecad_fiveaxis.core.base.sentences import Choice, Length, Sentence, plural, say
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Sentence, join_sentences, plural, say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
@@ -65,7 +65,8 @@ def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None =
 NOTE = (
     "Tip guided: the controller has tool-centre control (RTCP, TCPM, G43.4). Deviation: the largest "
     "distance of the tip's real path from the segment that a block commands, of all blocks at feed, as "
-    "rounded; a guided tip stays on it. Axis: how far the tool leaves the plane of a block's two end axes. "
+    "rounded; of a guided tip only the end points of blocks are verified, the path between them is under "
+    "RTCP. Axis: how far the tool leaves the plane of a block's two end axes. "
     "Rates are the peaks within feed blocks, at the programmed feed where no axis is too slow for it. Time "
     "includes rapids."
 )
@@ -91,7 +92,7 @@ def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
             "Nothing here holds {tolerance} within the limits of its machine.", tolerance=Length(tolerance)
         )
     best = min(good, key=lambda row: row.time)
-    return plural(
+    held = plural(
         len(good),
         "1 of {all} ways holds {tolerance}; the quickest is {way}, {time}.",
         "{count} of {all} ways hold {tolerance}; the quickest is {way}, {time}.",
@@ -99,6 +100,18 @@ def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
         tolerance=Length(tolerance),
         way=_name(best),
         time=duration(best.time),
+    )
+    guided = sum(row.tool_centre for row in good)
+    return join_sentences((held, _say_guided(guided))) if guided else held
+
+
+def _say_guided(count: int) -> Sentence:
+    return plural(
+        count,
+        "In 1 of these the controller guides the tip: only the end points of blocks are verified there, the "
+        "path between them is under RTCP.",
+        "In {count} of these the controller guides the tip: only the end points of blocks are verified "
+        "there, the path between them is under RTCP.",
     )
 
 
@@ -127,8 +140,7 @@ def _cells(row: Row) -> list[str]:
         return [*named, *["-"] * 8, "impossible"]
     return [
         *named,
-        number(row.deviation, 5),
-        number(row.bound, 5),
+        *(["ends only"] * 2 if row.tool_centre else [number(row.deviation, 5), number(row.bound, 5)]),
         number(math.degrees(row.axis_deviation), 3),
         str(row.blocks),
         duration(row.time),

@@ -187,7 +187,8 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
         much = say("a whole stretch of the surface stays uncut")
         if np.isfinite(high.worst):
             much = say(
-                "how much stays is not known here, the map of what is left ({left}) tells it",
+                "how much stays is not known from the passes alone, but told by the map of what is left "
+                "where that is asked for ({left})",
                 left=Choice("rest", ("on",)),
             )
         text = plural(
