@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.machine.machine_file import machine_folder
 from freecad_fiveaxis.core.motion.program import plane_above
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.context import JobContext
+from freecad_fiveaxis.core.pipeline.context import JobContext, PostContext
 from freecad_fiveaxis.core.pipeline.safe_start import start_findings
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
@@ -333,6 +333,9 @@ def test_a_start_from_below_through_the_part_is_an_error(tmp_path):
         found = [one for one in start_findings(context, made.program) if one.code == "start-through-part"]
         assert [one.severity for one in found] == [Severity.ERROR] * errors
         assert all("because the tool axis points downwards there" in one.text for one in found)
+        of_cl = PostContext(made.settings, made.machine, made.kinematics, made.dialect, box, silent, box)
+        found = [one for one in start_findings(of_cl, made.program) if one.code == "start-through-part"]
+        assert [one.severity for one in found] == [Severity.WARNING] * errors, "the part is not known"
 
 
 def test_a_part_above_an_upright_tool_is_not_told_of_as_an_axis_that_points_downwards(tmp_path):

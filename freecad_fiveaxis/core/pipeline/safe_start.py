@@ -79,7 +79,8 @@ def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
 
 def _find_obstacles(context: JobContext) -> list[tuple[Sentence, Box, Severity]]:
     """Find what the first and the last way must not pass through. Where no part is known the cutting points
-    stand for it, which is worth a note only: links and retracts are where the part is not."""
+    stand for it, which is worth a note only, or a warning where the tool points downwards: links and retracts
+    are where the part is not."""
     if not isinstance(context, PostContext):
         return [(say("the part"), context.box, Severity.ERROR)]
     fixed = [
@@ -100,6 +101,8 @@ def _through_part(context: JobContext, program: Program) -> tuple[Finding, ...]:
         up = upwards(kinematics, np.radians(words[:, 3:]))[0]
         for obstacle, box, severity in obstacles:
             if _meets(place, up, *box):
+                if severity is Severity.NOTE and axis[2] < 0.0:
+                    severity = Severity.WARNING
                 text = _through_text(what, obstacle, bool(axis[2] < 0.0), severity)
                 found.append(_through_finding(text, severity, program, row, place))
     return tuple(found)
@@ -112,7 +115,7 @@ def _through_text(what: Sentence, obstacle: Sentence, downwards: bool, severity:
         else say("which lies above that place")
     )
     lead = say("The tool {what} along Z through {obstacle}, {why}.", what=what, obstacle=obstacle, why=why)
-    if severity is Severity.NOTE:
+    if severity is not Severity.ERROR:
         return join_sentences((lead, say("The part is not known here: watch that move.")))
     remedy = say(
         "Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand."
