@@ -327,6 +327,7 @@ def test_convex_parts_are_posted_byte_for_byte_as_without_the_check(parts, part)
         "stepover": 12,
         "linearize": "on",
         "links": "over",
+        **UNASKED,
     }
     bytes_of = lambda gouge: (  # noqa: E731
         job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge})).nc

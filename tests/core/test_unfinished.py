@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import report_finding
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
-from freecad_fiveaxis.core.gouge import RestMaterial, report_uncut
+from freecad_fiveaxis.core.gouge import RestMaterial, report_uncut, too_tight
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.too_tight import find_ball, find_too_tight
 from freecad_fiveaxis.core.pipeline import job
@@ -98,6 +98,15 @@ def test_what_is_too_tight_is_a_note_beside_the_warning_where_part_and_ball_are_
     assert [one.code for one in report_uncut(flat, 0.05)] == ["uncut"]
     open_ = rest_of(BLOCK, 0.5, mesh=BLOCK, body=body)
     assert [one.code for one in report_uncut(open_, 0.05)] == ["uncut"]
+
+
+def test_of_many_places_some_stand_for_all(monkeypatch):
+    """What is too tight in the step's corner, of all that is left on it, by a fifth of the places."""
+    body = body_of(parse_cutter("ball:8")).only(CUTTER)
+    left = rest_of(step(), 0.5, mesh=step(), body=body)
+    every = report_uncut(left, 0.05)[1].value
+    monkeypatch.setattr(too_tight, "MOST_PLACES", len(left.area) // 5)
+    assert report_uncut(left, 0.05)[1].value == pytest.approx(every, rel=0.25)
 
 
 def test_a_step_says_how_much_of_what_stays_is_its_inside_corner():

@@ -310,7 +310,7 @@ def _findings(
     if not count:
         return ()
     x, y, z = contacts.point[int(held.argmax())].tolist()
-    told = {
+    fields = {
         "count": count,
         "all": len(free),
         "share": Number(100.0 * count / len(free), ".3g"),
@@ -319,12 +319,12 @@ def _findings(
     blocking = np.array([PART])
     if blockers and find_blocking is not None:
         blocking = find_blocking(np.flatnonzero(held)[choose_places(np.ones(count))])
-    text = _say_blocked(told, blocking, blockers)
+    text = _say_blocked(fields, blocking, blockers)
     severity = Severity.NOTE if count <= FEW * len(free) else Severity.WARNING
     return (report_finding(Code.NO_FREE_AXIS, text, float(count), 0.0, place=(x, y, z), severity=severity),)
 
 
-def _say_blocked(told: Mapping[str, Any], blocking: Ints, blockers: Sequence[Blocker]) -> Sentence:
+def _say_blocked(fields: Mapping[str, Any], blocking: Ints, blockers: Sequence[Blocker]) -> Sentence:
     """Say what is in the way at contacts without a free axis, of some of which it is known (k,)."""
     shares = {number: float((blocking == number).mean()) for number in range(len(blockers))}
     named = [(blockers[number], share) for number, share in shares.items() if share > 0.0]
@@ -333,14 +333,14 @@ def _say_blocked(told: Mapping[str, Any], blocking: Ints, blockers: Sequence[Blo
             "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
             "machine can take up and that keeps the tool out of the part; they are left out. Use a smaller "
             "cutter or holder, or a longer tool, or turn the part.",
-            **told,
+            **fields,
         )
     causes = [name_blocker(one, Number(100.0 * share, ".3g")) for one, share in named]
     text = say(
         "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
         "machine can take up and that keeps the tool off what stands about it; they are left out. In the way "
         "is {causes}. {remedy}",
-        **told, causes=join_sentences(causes, ", "), remedy=choose_remedy([one for one, _ in named]),
+        **fields, causes=join_sentences(causes, ", "), remedy=choose_remedy([one for one, _ in named]),
     )  # fmt: skip
     rest = 1.0 - sum(share for _, share in named)
     besides = say(
