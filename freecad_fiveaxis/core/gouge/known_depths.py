@@ -41,9 +41,9 @@ class Entries:
 class KnownDepths:
     """Of m blocks, of which depths above ``limit`` mm are looked for, to ``accuracy`` mm: what is ``found``;
     ``reached`` (m,) mm: so deep a block is known to be, though not yet where; ``floors`` (m + 1,) mm: what a
-    pair of a block must be able to exceed; that of a cluster, in the last place, is the limit. ``lift`` (m,)
-    mm: what is demanded of blocks so far, where only that is asked. What is known of a block clears others of
-    its pairs."""
+    pair of a block must be able to exceed; that of a cluster, in the last place, is the limit. ``lift`` (m +
+    1,) mm: what is demanded of blocks so far, where only that is asked; nothing of a cluster, and it stays at
+    -inf. What is known of a block clears others of its pairs."""
 
     limit: float
     accuracy: float

@@ -81,10 +81,10 @@ def find_demanded_lift(
     """How far (m,) mm a body that stands still, or goes up along its axis, must go at least: the most that
     facets demand of which a point is in it by more than ``limit`` mm; 0 where none is. Points that
     :func:`~.demanded_lift.raise_to_demand` misses may demand more."""
-    lift = np.zeros(len(up))
+    lift = np.append(np.zeros(len(up)), -np.inf)
     known = KnownDepths.none(len(up), limit, np.inf, lift)
     _Search(tree, up, body, known).batches(np.arange(len(up)), progress)
-    return lift
+    return lift[:-1]
 
 
 class _Ticks:

@@ -89,21 +89,20 @@ class Traversal:
                 most[some], box_bound(core, self.clusters.ways(sweep[some]), self.tree, node[some])
             )
         rows = np.flatnonzero(most > floor)
+        demanded = None if self.tree.allowance is not None else self.known.lift
+        if demanded is not None:
+            there = self.clusters.ways(sweep.take(rows))
+            known = demanded.take(place.take(rows))
+            rows = rows[may_demand(self.body, there, self.tree, node.take(rows), known)]
         ways, node, floor, most = (
             self.clusters.ways(sweep.take(rows)),
             node.take(rows),
             floor.take(rows),
             most.take(rows),
         )
-        demanded = None if self.known.lift is None or self.tree.allowance is not None else self.known.lift
         for bound in (plate_bound, facet_bound):
             most = np.minimum(most, bound(core, ways, self.tree, node))
-            may = most > floor
-            if demanded is not None and bound is plate_bound:
-                may &= may_demand(
-                    self.body, ways, self.tree, node, np.append(demanded, -np.inf)[place.take(rows)]
-                )
-            left = np.flatnonzero(may)
+            left = np.flatnonzero(most > floor)
             rows, ways, node, floor, most = (
                 rows.take(left),
                 ways.take(left),
@@ -118,7 +117,7 @@ class Traversal:
         if self.known.lift is None:
             self.known.learn(place, least)
         elif demanded is not None:
-            deep = np.flatnonzero((least > self.known.limit) & (place < len(demanded)))
+            deep = np.flatnonzero((least > self.known.limit) & (place < len(self.known.reached)))
             demand_points(
                 demanded, place.take(deep), self.body, ways.take(deep), self.tree.points(node.take(deep))
             )
