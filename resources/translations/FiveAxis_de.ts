@@ -4329,6 +4329,10 @@
         <translation>{first} dreht um {first_turn} und {second} um {second_turn}, um das Werkzeug um {lean} zu neigen. Die Achse kann für den programmierten Vorschub zu langsam sein: dann verweilt das Werkzeug und hinterlässt womöglich eine Marke.</translation>
     </message>
     <message>
+        <source>{first} turns {first_turn} and {second} {second_turn} while the tool keeps its direction. The axis may be too slow for the programmed feed: then the tool dwells and may leave a mark.</source>
+        <translation>{first} dreht um {first_turn} und {second} um {second_turn}, während das Werkzeug seine Richtung behält. Die Achse ist dafür vielleicht zu langsam: Dann verweilt das Werkzeug und hinterlässt womöglich eine Marke.</translation>
+    </message>
+    <message>
         <source>{height} left</source>
         <translation>{height} bleibt stehen</translation>
     </message>

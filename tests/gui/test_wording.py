@@ -99,3 +99,15 @@ def test_the_document_holds_what_is_shown(german, doc, dome, unit):
 def test_a_label_of_the_view(unit):
     text = gouge_words.label_text(gouge_words.OVERCUT, 0.254)
     assert text == ("0.01 in too deep" if unit == "in" else "0.254 mm too deep")
+
+
+@pytest.mark.parametrize(
+    ("lean", "words"), [(0.0, "keeps its direction"), (0.25, "to lean the tool by 0.25")]
+)
+def test_a_tool_that_only_turns_at_the_pole_is_not_said_to_lean_by_nothing(lean, words):
+    from freecad_fiveaxis.core.report.drawing import Spot
+    from freecad_fiveaxis.gui.scene.words import explain
+
+    spot = Spot(3, 12, 0.001, 0.002, 0.01, True, (("C", 90.0), ("A", lean)), lean, 1.0, (0.0, 0.0, 0.0))
+    what = explain("singular-block", spot)[0]
+    assert words in what and "by 0°" not in what and "C turns 90" in what, what

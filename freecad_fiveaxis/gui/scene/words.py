@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the view and the list of findings say, in the user's language and units. The numbers are the core's.
 
-told    three plain texts of one block: what happens there, why, and what helps.
+explain    three plain texts of one block: what happens there, why, and what helps.
 """
 
 from __future__ import annotations
@@ -30,6 +30,9 @@ SIDE = "side-not-machined"
 
 MOVES = ("cuts", "links", "rapids")
 """The kinds of moves of a path, as they are drawn (path_nodes.PARTS)."""
+
+LEAST_LEAN = 1e-3
+"""In degrees: by less than this the tool does not lean (it would read as "by 0°")."""
 
 Explanation = tuple[str, str, str]
 
@@ -112,12 +115,24 @@ def _deviates(spot: Spot) -> Explanation:
 
 def _near_pole(spot: Spot) -> Explanation:
     given = _turning(spot)
-    what = translate(
+    what = _LEANS() if spot.lean >= LEAST_LEAN else _TURNS_UPRIGHT()
+    return what.format(**given), _POLE().format(**given), _AWAY()
+
+
+def _LEANS() -> str:
+    return translate(
         "FiveAxis",
         "{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be "
         "too slow for the programmed feed: then the tool dwells and may leave a mark.",
     )
-    return what.format(**given), _POLE().format(**given), _AWAY()
+
+
+def _TURNS_UPRIGHT() -> str:
+    return translate(
+        "FiveAxis",
+        "{first} turns {first_turn} and {second} {second_turn} while the tool keeps its direction. The axis "
+        "may be too slow for the programmed feed: then the tool dwells and may leave a mark.",
+    )
 
 
 def _unproven(spot: Spot) -> Explanation:
