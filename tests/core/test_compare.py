@@ -199,6 +199,17 @@ def test_peaks_under_tool_centre_control_are_those_of_dense_sampling():
     assert (course.rates(np.arange(1, 12)) <= kinematics.rate * (1.0 + 1e-9)).all()
 
 
+@pytest.mark.parametrize("name", ["trunnion_ac", "mikron_ucp710", "head_b_table_c"])
+def test_under_tool_centre_control_a_block_that_goes_nowhere_takes_no_time_and_asks_no_rate(name):
+    kinematics = chain(load_machine(name), Setup(tool_length=80.0))
+    tip = np.repeat(np.random.default_rng(3).uniform(-60.0, 60.0, (20, 3)), 2, axis=0)
+    angles = np.repeat(np.random.default_rng(4).uniform(-0.4, 0.4, (20, 2)), 2, axis=0)
+    course = guide(kinematics, tip, angles, np.full(40, Motion.CUT, np.int8), np.full(40, 1000.0))
+    stay = np.arange(1, 40, 2)
+    assert not course.seconds[stay].any() and not course.rates(stay).any()
+    assert (course.rates(stay[:-1] + 1) > 0.0).all(), "the others do move"
+
+
 def test_with_tool_centre_control_the_tip_stays_on_its_chord_and_the_axes_pay():
     made = milled(tool_length=80.0, **COARSE)
     off, on = compare(made.path, list(stations(made, ["trunnion_ac"])))

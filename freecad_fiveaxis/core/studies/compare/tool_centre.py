@@ -26,6 +26,9 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 TURN_PER_PIECE = 0.05
 """Rotary travel (rad) of a piece, on which the words are taken as parabolas: their slope is then within a
 thousandth."""
+STILL = 1e-9
+"""mm or rad a unit of u: an axis that turns out to move by less stands still. Rounding alone, over the time
+that it would take, reads as an axis at its limit."""
 MOST_PIECES = 40_000
 """Pieces worked on at a time."""
 
@@ -62,6 +65,7 @@ def guide(kinematics: Chain, tip: Floats, angles: Floats, motion: Bytes, feed: F
         for first in range(0, len(alike), portion):
             rows = alike[first : first + portion]
             peak[rows] = _peaks(kinematics, tip, angles, rows, count)
+    peak[peak < STILL] = 0.0
     return Guided(peak, _seconds(kinematics, tip, motion, feed, peak))
 
 
