@@ -6,6 +6,7 @@ from __future__ import annotations
 import copy
 import json
 import math
+import re
 from dataclasses import replace
 
 import pytest
@@ -115,6 +116,19 @@ def test_the_sides_are_those_of_the_roles():
         "head",
     ]
     assert load_machine("head_b_table_c").has_head and not load_machine("trunnion_ac").has_head
+
+
+def test_descriptions_place_the_trunnion_where_the_file_does():
+    named = 0
+    for name in list_shipped_machines():
+        machine = load_machine(name)
+        stated = re.search(r"axis lies (\d+) mm (above|below) the table's face", machine.description)
+        if stated:
+            high = {"above": 1.0, "below": -1.0}[stated[2]] * float(stated[1])
+            trunnion = next(axis for axis in machine.rotary if axis.letter in "AB")
+            assert trunnion.point[2] - machine.table == high, name
+            named += 1
+    assert named == 2
 
 
 def test_inches_are_converted_and_angles_are_not(data, load):
