@@ -112,7 +112,9 @@ def brute(machine, words, body, tool):
         turn[k], place[k] = seen[:3, :3], seen[:3, 3]
     none, up = np.zeros(len(words)), np.tile((0.0, 0.0, 1.0), (len(words), 1))
     gaps = [
-        find_gaps(_tool_piece(piece, tip), convex_hull(corner), Poses(turn, place), 0.0, none + 1e9, up)
+        find_gaps(
+            _tool_piece(piece, tuple(tip)), convex_hull(corner), Poses(turn, place), 0.0, none + 1e9, up
+        )
         for piece in pieces
     ]
     return np.min([np.where(gap.met, -1.0, gap.least) for gap in gaps], axis=0)

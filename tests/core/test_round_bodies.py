@@ -29,6 +29,7 @@ MILL = {
     "max_axis_angle": 60,
     "spindle": "off",
     "tool_length": LENGTH,
+    "gouge": "report",  # what stays uncut is not looked for
 }
 UPRIGHT, LEANING = {"tool_axis": "fixed", "max_axis_angle": 10}, {"tool_axis": "facet_mean", "lead": 8}
 
@@ -86,14 +87,21 @@ def sampled_depth(machine, program, body, count=24):
     share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, 25),) * 3, indexing="ij"), -1).reshape(-1, 3)
     low, high = np.array(body.points)
     grid = low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
+    corner = np.stack(np.meshgrid(*np.transpose((low, high)), indexing="ij"), -1).reshape(-1, 3)
     rows, deepest = 1 + np.flatnonzero(program.motion[1:] >= Motion.LINK), 0.0
     for row in rows.tolist():
         for share in np.linspace(0.0, 1.0, count):
             words = program.words[row - 1] + share * (program.words[row] - program.words[row - 1])
             q = dict(zip(kinematics.letters, words + np.concatenate([shift, (0.0, 0.0)]), strict=True))
             carried, tool = frames(machine, q)
-            place = grid @ carried[body.carrier][:3, :3].T + carried[body.carrier][:3, 3]
-            off = (place - tool[:3, 3]) @ tool[:3, :3] - tip
+            turn = tool[:3, :3].T @ carried[body.carrier][:3, :3]
+            away = tool[:3, :3].T @ (carried[body.carrier][:3, 3] - tool[:3, 3]) - tip
+            about = corner @ turn.T + away
+            if (about.min(axis=0) > (RADIUS, RADIUS, LONG)).any() or (
+                about.max(axis=0) < (-RADIUS, -RADIUS, 0.0)
+            ).any():
+                continue  # the box that holds it is off the one that holds the tool
+            off = grid @ turn.T + away
             across, height = np.hypot(off[:, 0], off[:, 1]), off[:, 2]
             shank = np.minimum(RADIUS - across, np.minimum(height - RADIUS, LONG - height))
             ball = RADIUS - np.hypot(across, height - RADIUS)

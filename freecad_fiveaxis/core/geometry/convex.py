@@ -33,6 +33,9 @@ EVEN = 1e-7
 """The share of a distance to which it is found; a simplex is flat where its area or volume is such a share of
 the most."""
 
+LEVELS = 32
+"""By so many depths a piece is kept pared."""
+
 NOTHING = 1e-9
 """mm; pieces that are nearer than this touch."""
 
@@ -82,10 +85,22 @@ class Convex:
 
     def pare(self, by: float) -> Convex:
         """Give what lies deeper than ``by`` mm in the hull, which must be less than ``inmost``."""
-        from scipy.spatial import HalfspaceIntersection
-
         if by <= 0.0 or not len(self.plane):
             return self
+        if (known := self._pared.get(by)) is None:
+            if len(self._pared) >= LEVELS:
+                self._pared.clear()
+            known = self._pared[by] = self._pare(by)
+        return known
+
+    @cached_property
+    def _pared(self) -> dict[float, Convex]:
+        """What was pared off it: of many pairs each begins with the same."""
+        return {}
+
+    def _pare(self, by: float) -> Convex:
+        from scipy.spatial import HalfspaceIntersection
+
         plane = self.plane + (0.0, 0.0, 0.0, by)
         return Convex(
             np.unique(HalfspaceIntersection(plane, self.inmost[0]).intersections, axis=0), plane, self.round
@@ -185,7 +200,8 @@ def support_gap(
 
 def cross_rows(one: Floats, other: Floats) -> Floats:
     """Give the cross products (..., 3); numpy's own is slow for few rows."""
-    (a, b, c), (x, y, z) = np.moveaxis(one, -1, 0), np.moveaxis(other, -1, 0)
+    a, b, c = one[..., 0], one[..., 1], one[..., 2]
+    x, y, z = other[..., 0], other[..., 1], other[..., 2]
     return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)
 
 

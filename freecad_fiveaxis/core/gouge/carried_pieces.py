@@ -9,19 +9,19 @@ round     cylinders and cones get flat sides around them (:mod:`.solids`), spher
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.convex import Convex, Poses, convex_hull, find_gaps
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.geometry.solids import frustum_facets
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.bodies import SPHERE, SPINDLE, MachineBody, is_round
+from freecad_fiveaxis.core.machine.bodies import FILE, SPHERE, SPINDLE, MachineBody, Vector, is_round
 from freecad_fiveaxis.core.machine.kinematics import Setup
 from freecad_fiveaxis.core.tool.body import PARTS, Body, Piece
 
@@ -31,6 +31,9 @@ from .machine_bodies import make_mesh
 
 TOUCHING = 0.05
 """mm; pieces of neighbours that are nearer with all joints at zero touch by construction."""
+
+PIECES = 128
+"""Of bodies and tools, and pairs of them, that are kept for the next check: they are the same in each."""
 
 TOOL, BODY, HELD = 0, 1, 2
 """Cutter, shank and holder; bodies of the machine's file; part and fixtures: it is always the first that
@@ -74,9 +77,16 @@ def carry_bodies(machine: Machine, progress: Progress = silent) -> list[Carried]
 
 
 def _body_piece(body: MachineBody, progress: Progress) -> Convex:
+    if body.shape == FILE:  # it may be another one by now
+        return convex_hull(make_mesh(body, np.zeros(3), progress).vertex)
+    return _shape_piece(body)
+
+
+@lru_cache(PIECES)
+def _shape_piece(body: MachineBody) -> Convex:
     if body.shape == SPHERE:
         return convex_hull(np.array(body.points), body.radii[0])
-    return convex_hull(make_mesh(body, np.zeros(3), progress).vertex)
+    return convex_hull(make_mesh(body, np.zeros(3)).vertex)
 
 
 def carry_work(
@@ -93,15 +103,17 @@ def carry_work(
 
 def carry_tool(machine: Machine, tool: Body, length: float) -> list[Carried]:
     """Give the pieces of the ``tool``, whose tip stands ``length`` mm below the gauge point."""
-    tip = np.array(machine.gauge_point) - (0.0, 0.0, length)
+    x, y, z = machine.gauge_point
+    tip = (x, y, z - length)
     return [
         Carried(PARTS[one.part], PARTS[one.part], SPINDLE, _tool_piece(one, tip), TOOL, stacked=True)
         for one in tool.pieces
     ]
 
 
-def _tool_piece(piece: Piece, tip: Floats) -> Convex:
-    up = np.array([0.0, 0.0, 1.0])
+@lru_cache(PIECES)
+def _tool_piece(piece: Piece, at: Vector) -> Convex:
+    tip, up = np.array(at), np.array([0.0, 0.0, 1.0])
     low, high = tip + piece.low * up, tip + piece.high * up
     if max(piece.low_radius, piece.high_radius) <= 0.0:
         return convex_hull(np.unique([low, high], axis=0), piece.round)
@@ -145,6 +157,7 @@ def _neighbours(machine: Machine, one: Carried, other: Carried) -> bool:
     return not near or not far or down == up
 
 
+@lru_cache(PIECES)
 def touches(one: Convex, other: Convex) -> bool:
     """Tell whether two pieces touch, or are in each other, as they stand."""
     still, none = Poses(np.eye(3)[None], np.zeros((1, 3))), np.zeros(1)

@@ -226,7 +226,8 @@ def first_entries(
     ``suspects`` go in, or of samples over the whole way, the others are not looked at."""
     m = len(swept)
     samples = np.unique(np.linspace(0, m - 1, min(SAMPLES, m)).astype(np.int64))
-    for blocks in (suspects, samples, np.arange(m)):
+    others = np.setdiff1d(np.arange(m), samples, assume_unique=True)
+    for blocks in (suspects, samples, others):
         if len(blocks):
             found = find_entries(body, tree, swept, tolerance, np.inf, blocks, progress)
             rows = np.flatnonzero(found.bound > tolerance * HARDLY)

@@ -17,6 +17,7 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -67,21 +68,30 @@ def find_stick_out(stand: Standing, progress: Progress = silent) -> StickOut | N
     lengths = _Lengths(stand, progress)
     found, shorter = lengths.search()
     present, longest = stand.stack.stick_out, lengths.at(lengths.last)
-    met = lengths.met[lengths.present]
+    met = lengths.describe(lengths.present)
     if found is None:
         return StickOut(present, None, longest, met, shorter)
     options = tuple(_options(stand, lengths.at(found)))
     return StickOut(present, lengths.at(found), longest, met, shorter, options)
 
 
+class _Meeting(NamedTuple):
+    """``blocks`` (k,) that meet what is called so, or of which the contrary is not proven."""
+
+    name: str
+    tree: FacetTree
+    blocks: Ints
+
+
 @dataclass(eq=False)
 class _Lengths:
-    """``met`` of the lengths that were looked at, by their number of STEPs; ``suspects`` of each obstacle:
-    blocks that met it at one of them."""
+    """``met`` of the lengths that were looked at, by their number of STEPs: how deep it is takes longer to
+    find than that it is, and is asked of two of them; ``suspects`` of each obstacle: blocks that met it at
+    one of them."""
 
     stand: Standing
     progress: Progress
-    met: dict[int, Met | None] = field(default_factory=dict)
+    met: dict[int, Met | _Meeting | None] = field(default_factory=dict)
     suspects: dict[str, Ints] = field(default_factory=dict)
     run: Run | None = None
 
@@ -112,35 +122,45 @@ class _Lengths:
         least that is met."""
         free = self._free_above()
         if free is None:
-            return None, min(filter(None, self.met.values()), key=lambda met: (not met.depth, met.depth))
+            met = filter(None, map(self.describe, self.met))
+            return None, min(met, key=lambda one: (not one.depth, one.depth))
         below = [step for step, met in self.met.items() if step < free and met is not None]
         low = max(below, default=self.first - 1)
-        if low < self.first and self.look(self.first) is None:
+        if low < self.first and self.is_free(self.first):
             return self.first, None
         low = max(low, self.first)
         while free - low > 1:
             middle = (free + low) // 2
-            low, free = (low, middle) if self.look(middle) is None else (middle, free)
-        return free, self.met.get(low)
+            low, free = (low, middle) if self.is_free(middle) else (middle, free)
+        return free, self.describe(low)
 
     def _free_above(self) -> int | None:
         """Return the present length, or the first free one of those that are tried above it."""
         step, more = self.present, round(FIRST / STEP)
-        while self.look(step) is not None:
+        while not self.is_free(step):
             if step == self.last:
                 return None
             step, more = min(self.present + more, self.last), 2 * more
         return step
 
-    def look(self, step: int) -> Met | None:
-        """Return what is met with this length; None: it is proven that nothing is."""
+    def is_free(self, step: int) -> bool:
+        """Tell whether it is proven that nothing is met with this length."""
         if step not in self.met:
             self.progress("stick-out", len(self.met) / 24.0)
-            self.met[step] = self._look(self.at(step))
-        return self.met[step]
+            self.met[step] = self._look(step)
+        return self.met[step] is None
 
-    def _look(self, length: float) -> Met | None:
-        run = self._run(length - self.stand.stack.stick_out)
+    def describe(self, step: int) -> Met | None:
+        """Return what is met with this length; None: nothing, or it was not looked at."""
+        met = self.met.get(step)
+        if isinstance(met, _Meeting):
+            run = self._run(step)
+            assert isinstance(run, Run)  # as it was when this was met
+            met = self.met[step] = deepest_met(met.name, met.tree, run, met.blocks)
+        return met
+
+    def _look(self, step: int) -> Met | _Meeting | None:
+        run = self._run(step)
         if isinstance(run, Met):
             return run
         if (beyond := run.leaves_limits) is not None:
@@ -152,10 +172,11 @@ class _Lengths:
             )
             if len(blocks):
                 self.suspects[name] = blocks
-                return deepest_met(name, tree, run, blocks)
+                return _Meeting(name, tree, blocks)
         return run.meets_machine(self._quiet)
 
-    def _run(self, more: float) -> Run | Met:
+    def _run(self, step: int) -> Run | Met:
+        more = self.at(step) - self.stand.stack.stick_out
         if self.run is None or self.stand.known or self.run.rewinds:  # a rewind retracts the whole tool
             try:
                 self.run = self.stand.run(more, self._quiet)
