@@ -9,7 +9,7 @@ SETUP = {"grid": "3,2,1", "turns": 2, "region": "40,30,0", "origin": "10,5,-20"}
 STUDIES = {
     "setup": WAY | SETUP,
     "compare": WAY
-    | {"stepover": 24, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
+    | {"stepover": 30, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
     "reach": {"machine": "trunnion_ac", "cutter": "ball:20:12", "holder": "40x20", "face": None},
     "setup of little reach": WAY
     | SETUP

@@ -123,6 +123,18 @@ def test_whatever_lays_the_passes_and_links_them_the_allowance_is_kept(made, opt
     )
 
 
+def test_which_places_the_ball_can_touch_is_what_the_exact_room_says():
+    """Most places are told by the nearest piece alone; about the line where the room is 0 it is asked for."""
+    mesh = step(6.0)
+    keep_off = KeepOff.of(mesh, np.abs(mesh.normal[:, 1]) > 0.9, 1.0, 3.0)
+    random = np.random.default_rng(2)
+    facet = random.integers(len(mesh.face), size=4000)
+    point = random.uniform((-20.0, -34.0, -12.0), (20.0, 34.0, 10.0), (4000, 3))
+    room = keep_off.room(point + 3.0 * mesh.normal[facet])
+    assert (np.abs(room) < 0.05).any() and (keep_off.allows(mesh, point, facet) == (room >= -1e-6)).all()
+    assert 0.1 < (room >= 0.0).mean() < 0.9
+
+
 def heights(result, mesh, some):
     """What is left, mm, at places far enough from the faces, and where."""
     program, settings = result.draft.program, result.draft.settings

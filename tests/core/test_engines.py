@@ -125,6 +125,13 @@ def mortal(name, living):
         yield pool
 
 
+def fail_at_once(request, monkeypatch):
+    """Dask gives a task up after a second death, not after a fourth: each worker that dies has another after
+    it."""
+    cluster = request.getfixturevalue("dask").cluster
+    monkeypatch.setattr(cluster.scheduler, "allowed_failures", 1)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KILLED)
 def test_the_jobs_of_a_killed_worker_run_again_and_none_twice(name, living, parts, expected, tmp_path):
@@ -145,8 +152,10 @@ def test_the_jobs_of_a_killed_worker_run_again_and_none_twice(name, living, part
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KILLED)
 def test_a_job_that_no_worker_survives_is_told_and_harms_no_other_bytes(
-    name, living, parts, expected, tmp_path
+    name, living, request, parts, expected, tmp_path, monkeypatch
 ):
+    if name == "dask":
+        fail_at_once(request, monkeypatch)
     with mortal(name, living) as pool:
         rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out"), Instead(pool, die_always)))
     assert (
@@ -208,9 +217,8 @@ def made_by_command(parts, out, *words, before=()):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KILLED)
 def test_a_task_that_no_worker_survives_is_one_clear_error(name, living, request, parts, monkeypatch):
-    if name == "dask":  # after one death, not after three
-        cluster = request.getfixturevalue("dask").cluster
-        monkeypatch.setattr(cluster.scheduler, "allowed_failures", 1)
+    if name == "dask":
+        fail_at_once(request, monkeypatch)
     with mortal(name, living) as pool, pytest.raises(SettingsError, match="a process died"):
         try_study("setup", str(parts / "a.stl"), Killing(pool))
 

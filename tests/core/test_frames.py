@@ -8,6 +8,7 @@ import os
 import re
 from functools import lru_cache
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -86,7 +87,7 @@ def slot() -> Mesh:
 PARTS = {"block": block, "hexagon": hexagon, "knob": knob, "slot": slot}
 
 
-def milled(mesh, **given):
+def made(mesh, **given):
     options = {
         "machine": "trunnion_ac",
         "cutter": "ball:6",
@@ -95,7 +96,11 @@ def milled(mesh, **given):
         "spindle": 9000,
         **given,
     }
-    return job.prove(job.make(build_settings("mill", "part", options), mesh=mesh))
+    return job.make(build_settings("mill", "part", options), mesh=mesh)
+
+
+def milled(mesh, **given):
+    return job.prove(made(mesh, **given))
 
 
 def of(name):
@@ -253,8 +258,9 @@ def find_once(mesh, *given, **more):
     return FOUND[name]
 
 
-def milled_and_frames(mesh, overlap, **given):
-    """The result, and which frame cuts what, as the strategy was told."""
+def made_and_frames(mesh, overlap, **given):
+    """The program, unproven, and which frame cuts what, as the strategy was told. What stays is for the judge
+    to find: with ``rest`` on nothing looks for it before a program is proven."""
     seen, field_of = [], frame_passes.FramePasses.field
 
     def remember(strategy, region, options):
@@ -265,7 +271,7 @@ def milled_and_frames(mesh, overlap, **given):
         patch.setattr(frame_passes.FramePasses, "field", remember)
         patch.setattr(frame_passes, "OVERLAP", overlap)
         patch.setattr(mill_context, "find_frames", find_once)
-        return milled(mesh, **given), seen[0]
+        return SimpleNamespace(draft=made(mesh, rest="on", **given)), seen[0]
 
 
 def at_seams(result, frames, mesh, count, within):
@@ -305,7 +311,7 @@ def test_at_smooth_seams_between_frames_no_more_than_the_scallop_stays_and_witho
     mesh = ball_in_frames()
     most = []
     for overlap in (frame_passes.OVERLAP, 0.0):
-        rest, free = at_seams(*milled_and_frames(mesh, overlap, within_frames=within), mesh, 40_000, 1.0)
+        rest, free = at_seams(*made_and_frames(mesh, overlap, within_frames=within), mesh, 40_000, 1.0)
         assert free.sum() > 2000 and rest.min() > -TOLERANCE
         most.append(np.quantile(rest[free], 0.999))
     assert most[0] <= SCALLOP < 1.2 * SCALLOP < most[1]
@@ -320,7 +326,7 @@ def test_at_seams_on_a_real_part_no_more_than_two_scallops_stay_where_the_tool_i
     """All seams, between sharp edges too; its seven frames see nine tenths of it."""
     mesh = read_stl(str(REAL))
     rest, free = at_seams(
-        *milled_and_frames(mesh, frame_passes.OVERLAP, within_frames=within), mesh, 40_000, 1.0
+        *made_and_frames(mesh, frame_passes.OVERLAP, within_frames=within), mesh, 40_000, 1.0
     )
     assert free.sum() > 500 and rest.min() > -TOLERANCE
     assert (

@@ -192,13 +192,15 @@ def test_a_cutter_with_a_ring_sits_anew_under_the_tilted_axis(cutter):
 
 @cache
 def convex(path, gouge):
-    """The program for a convex part, made once for all cures that are compared with it."""
+    """The program for a convex part, made once for all cures that are compared with it; what stays uncut,
+    which changes nothing of it, is not looked for before the map of rest material."""
     options = {
         "machine": "trunnion_ac",
         "tool_length": 120,
         "stepover": 15,
         "holder": "30x30",
         "links": "over",
+        "rest": "on",
     }
     return job.make(build_settings("mill", path, {**options, "gouge": gouge}))
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from plain import build_settings
+from plain import PLAIN_WORDS, build_settings
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -257,6 +257,7 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
             part,
             "--stepover",
             24,
+            *PLAIN_WORDS,
             *words,
             "-o",
             out[0],
@@ -277,7 +278,19 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     blocks = [path.read_bytes().count(b"\n") for path in out]
     assert blocks[0] == pytest.approx(blocks[1], abs=12)  # the CL file rounds its numbers
     assert (
-        run("mill", part, "--stepover", 24, *words[:2], "--linearize", "off", "--quiet", "-o", out[1])
+        run(
+            "mill",
+            part,
+            "--stepover",
+            24,
+            *PLAIN_WORDS,
+            *words[:2],
+            "--linearize",
+            "off",
+            "--quiet",
+            "-o",
+            out[1],
+        )
         == cli.DONE_WITH_ERRORS
     )
 

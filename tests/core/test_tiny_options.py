@@ -116,10 +116,13 @@ def read_until(stream, stage):
 def test_a_long_mill_hears_ctrl_c_and_writes_nothing(passes, stage, tmp_path):
     """It is sent when the stage is shown: before most of the work, for that is the lift. How soon:
     benchmarks/bench_stop.py. Planes are placed by scallop, which takes ten seconds of the processor, only
-    where that is the stage."""
+    where that is the stage. The lift begins after two seconds on the coarser part, and takes six."""
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
-    write_stl(blade_beside_hub(cells=120), part)
-    spaced = ("--scallop", "0.002") if stage in ("axis field", "placing planes") else ("--stepover", "0.18")
+    coarse = stage == "lift"
+    write_stl(blade_beside_hub(cells=60 if coarse else 120), part)
+    spaced = ("--stepover", "0.3" if coarse else "0.18")
+    if stage in ("axis field", "placing planes"):
+        spaced = ("--scallop", "0.002")
     words = [part, "--machine", "trunnion_ac", "--passes", passes, *spaced, "--cutter", "ball:4", "-o", out]
     command = [sys.executable, "-W", "error", "-c", SHOWN, "mill", *words]
     with subprocess.Popen(command, stderr=subprocess.PIPE, preexec_fn=hear_ctrl_c) as mill:

@@ -30,6 +30,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Length, Point, Volume, say
+from freecad_fiveaxis.core.base.vectors import dot, length
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, Piece, distance_off
 
@@ -270,7 +271,7 @@ def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Flo
     """Return the samples (n, k) from which to follow: of so many the lowest, then the lowest away from that,
     and so on; and the height (n,) mm at the lowest."""
     near = np.asarray(way.tree.query(point, k=count)[1]).reshape(len(point), count)
-    there, place = near.ravel(), np.repeat(point, near.shape[1], axis=0).T
+    there, place = near.ravel(), np.repeat(point.T, near.shape[1], axis=1)
     pose = Poses(way.pose.tip.take(there, axis=1), way.pose.axis.take(there, axis=1))
     height, at = _height(body, pose, place).reshape(near.shape), way.at[near]
     level = any(piece.low_radius > 0.0 or piece.bulge > 0.0 for piece in body.pieces)
@@ -304,7 +305,7 @@ def _screen_points(body: Body, way: _Way, point: Floats, count: int, enough: flo
 def _lowest(body: Body, way: _Way, point: Floats, starts: Ints) -> tuple[Floats, Ints]:
     """Return the least height (n,) of points on the way about some samples (n, k) each, and the block where
     it is."""
-    place, middle = np.repeat(point, starts.shape[1], axis=0).T, way.at[starts.ravel()]
+    place, middle = np.repeat(point.T, starts.shape[1], axis=1), way.at[starts.ravel()]
     row, _ = way.place(middle)
     low, high = (
         np.maximum(middle - way.spacing, way.low[row]),
@@ -335,9 +336,8 @@ def _lowest(body: Body, way: _Way, point: Floats, starts: Ints) -> tuple[Floats,
 
 def _height(body: Body, pose: Poses, place: Floats) -> Floats:
     arm = place - pose.tip
-    along = (arm * pose.axis).sum(axis=0)
-    out = arm - along * pose.axis
-    across = np.sqrt((out * out).sum(axis=0))
+    along = dot(arm, pose.axis)
+    across = length(arm - along * pose.axis)
     return np.asarray(np.min([distance_off(piece, across, along) for piece in body.pieces], axis=0))
 
 

@@ -71,14 +71,16 @@ def straight_motion(tips: Floats, axes: Floats, above: float = 0.0) -> SweptMoti
     """Return the swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines
     the point ``above`` mm over the tip (n, 3) mm."""
     points = tips + above * axes if above else tips
-    start, end = _columns(points[:-1]), _columns(points[1:])
+    start, way = _columns(points[:-1]), _columns(np.diff(points, axis=0))
     first, last = _columns(axes[:-1]), _columns(axes[1:])
     angle = 2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(last - first, axis=0), 1.0))
+    across, length = _across(first, last)
 
     def pose(block: Ints, u: Floats) -> Poses:
-        p, q = start.take(block, axis=1), end.take(block, axis=1)
-        k = _on_arc(first.take(block, axis=1), last.take(block, axis=1), angle.take(block), u)
-        point = p + u * (q - p)
+        turned = u * angle.take(block)
+        k = np.cos(turned) * first.take(block, axis=1)
+        k += (np.sin(turned) / length.take(block)) * across.take(block, axis=1)
+        point = start.take(block, axis=1) + u * way.take(block, axis=1)
         return Poses(point - above * k if above else point, k)
 
     return SweptMotion(pose, above * angle * angle, angle * angle)
@@ -116,8 +118,9 @@ def ways_up(tips: Floats, axes: Floats, way: Floats) -> SweptMotion:
     return SweptMotion(pose, np.zeros(len(tips)), np.zeros(len(tips)))
 
 
-def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
-    """At share u of the great arc, columns; between opposite axes one of the many there are.
+def _across(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+    """Return what of the axes ``last`` (3, n) is square to ``first``, towards which great arcs begin, and its
+    length (n,); between opposite axes one of the many directions there are.
 
     Not :func:`~.vectors.slerp`: its last digits differ, and the lift, which stops at the first depth that
     will do, would make other programs of the same solid."""
@@ -128,7 +131,7 @@ def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
         any_way = np.cross(first[:, lost], np.eye(3)[np.abs(first[:, lost]).argmin(axis=0)].T, axis=0)
         across[:, lost] = any_way
         length[lost] = np.linalg.norm(any_way, axis=0)
-    return np.asarray(np.cos(u * angle) * first + (np.sin(u * angle) / length) * across)
+    return across, np.asarray(length)
 
 
 def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMotion:

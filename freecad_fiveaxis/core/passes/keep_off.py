@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Point, Template
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles
-from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
+from freecad_fiveaxis.core.geometry.nearest import Facets, Pieces, nearest, search
 
 TOUCHING = 1e-6
 """mm; a ball that is so much too near keeps the allowance."""
@@ -62,16 +62,31 @@ class KeepOff:
     def room(self, centre: Floats) -> Floats:
         """How much farther (n,) mm than they must the corner balls about ``centre`` (n, 3) mm are from the
         faces; below 0: they are too near."""
-        pieces, facets = self._pieces, self._facets  # type: ignore[attr-defined]
-        room: Floats = pieces.clear_by(centre) - self.least
+        room = self._sure_room(centre)
         near = np.flatnonzero(room < self.least)
         if len(near):
-            room[near] = search(centre[near], pieces, facets.square_distances, nearest, 2)[:, 0] - self.least
+            room[near] = self._exact_room(centre[near])
         return room
 
+    def _sure_room(self, centre: Floats) -> Floats:
+        """Return what the room (n,) mm about ``centre`` (n, 3) is at least; it is more by the pieces' reach
+        at most."""
+        pieces: Pieces = self._pieces  # type: ignore[attr-defined]
+        return pieces.clear_by(centre) - self.least
+
+    def _exact_room(self, centre: Floats) -> Floats:
+        pieces, facets = self._pieces, self._facets  # type: ignore[attr-defined]
+        return search(centre, pieces, facets.square_distances, nearest, 2)[:, 0] - self.least
+
     def allows(self, mesh: Mesh, point: Floats, facet: Ints) -> Bools:
-        """Which places (k, 3) mm on facets (k,) of the part the corner ball can touch."""
-        return np.asarray(self.room(point + self.corner * mesh.normal[facet]) >= -TOUCHING)
+        """Which places (k, 3) mm on facets (k,) of the part the corner ball can touch. How much room there is
+        is asked only where the nearest piece leaves that open."""
+        centre = point + self.corner * mesh.normal[facet]
+        room, reach = self._sure_room(centre), self._pieces.reach  # type: ignore[attr-defined]
+        open_ = np.flatnonzero((room < -TOUCHING) & (room + reach >= -TOUCHING))
+        if len(open_):
+            room[open_] = self._exact_room(centre[open_])
+        return np.asarray(room >= -TOUCHING)
 
     def obstacle(self, joined: Mesh) -> Mesh:
         """Return what the tool keeps out of, the part's facets first, with the allowance on those to
