@@ -1,40 +1,137 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether anything starts the spindle before a program feeds."""
+"""Whether the spindle turns, and the right way round, where a program feeds."""
 
 from __future__ import annotations
 
 import re
 
-from freecad_fiveaxis.core.base.codes import Code
+import numpy as np
+
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Template
+from freecad_fiveaxis.core.nc.reader import Reading
 
-START = re.compile(rb"(?<![A-Za-z_])M(?:[0-9]+\s*=\s*)?0*(?:3|4|13|14)(?![0-9.])", re.IGNORECASE)
-"""M3 and M4, with coolant M13 and M14, and Siemens' of one spindle of several, M1=3."""
+from .states import NOTHING, UNKNOWN, before, cutting_rows, ends, events, hold, mark_file_lines, words_of
 
-END = re.compile(rb"(?<![A-Za-z_])(?:M0*(?:2|30)(?![0-9.=])|END PGM)", re.IGNORECASE)
-"""What only a whole program ends with; a part of one may be called with the spindle on."""
+OFF, RIGHT, LEFT = 0, 1, 2
+TURNS = {3: RIGHT, 13: RIGHT, 4: LEFT, 14: LEFT, 5: OFF}
+"""M words; M13 and M14 start the coolant too."""
+OWN_MOTION = re.compile(
+    rb"G0*(?:74|84)(?:\.[0-9])?(?![0-9.])|CYCLE840?(?![0-9])|CYCL DEF (?:2|17|18|206|207|209)(?![0-9])|SPOSA?\b",
+    re.IGNORECASE,
+)
+"""Tapping drives the spindle itself, and an oriented one may be meant to stand (scribing): no claim."""
+RIGID = 29
+SIEMENS_SPINDLE = re.compile(
+    rb"(?<![A-Z0-9_$])(?P<letter>[MS]) *[0-9]* *= *(?P<number>[0-9.]+(?![0-9. ]*[-+*/(\[]))?", re.IGNORECASE
+)
+"""M1=3 and S1=8000, of one spindle of several; S=R1 says no number."""
+TOOL_CALL = re.compile(
+    rb"^[ 0-9/]*TOOL CALL[^\n;]*?\bS *(?P<number>[0-9.]+)?(?=[^A-Z0-9.]|Q|$)", re.IGNORECASE | re.MULTILINE
+)
+NEVER = Template(
+    "The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 with S "
+    "before the tool gets to the part."
+)
+STOPPED = Template(
+    "The spindle stands still in {count} feed blocks, from NC line {line} on: M5 is in force there. Give M3 "
+    "before them, or delete the M5."
+)
+NO_SPEED = Template(
+    "The spindle has no speed in {count} feed blocks, from NC line {line} on: it is started, but no S above 0 "
+    "is in force there. Give S with M3."
+)
+REVERSED = Template(
+    "The spindle turns to the left (M4) in {count} feed blocks, from NC line {line} on. That is right for "
+    "left-hand tools alone: give M3 for any other."
+)
 
-TAIL = 4096
-"""Bytes at the end of the text in which the end of the program is looked for."""
 
-REMARK = re.compile(rb"\([^)\n]*\)?|;[^\n]*")
-"""Remarks: what stands in them starts nothing."""
-
-
-def spindle_findings(text: bytes, program: Program) -> tuple[Finding, ...]:
-    """Say of a whole program that nothing in its ``text`` starts the spindle before its first feed block."""
-    feeds = feed_blocks(program)
-    if not len(feeds):
+def spindle_findings(text: bytes, reading: Reading) -> tuple[Finding, ...]:
+    """Say where the program feeds while the spindle stands still, has no speed, or turns to the left. What is
+    told by a variable, and several spindles, are not judged; of what stands outside the ``text`` only a whole
+    program is asked."""
+    if reading.language == "iso" and b"$" in text:
         return ()
-    line = int(program.line[feeds[0]])
-    before = b"\n".join(text.split(b"\n", line)[:line])
-    if START.search(REMARK.sub(b"", before)) or not END.search(REMARK.sub(b"", text[-TAIL:])):
-        return ()
-    found = say(
-        "The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 "
-        "with S before the tool gets to the part.",
-        line=line,
+    block, row = cutting_rows(reading)
+    turn, speed = _find_turns(text, reading)[row], _find_speeds(text, reading)[row]
+    whole = ends(reading, text)
+    turns = (turn == RIGHT) | (turn == LEFT)
+    still = turns & ((speed == 0.0) | (whole & (speed == NOTHING)))
+    if reading.language == "iso" and _is_laser(reading, speed):
+        still &= False
+    return (
+        *_report(Code.SPINDLE_OFF, NEVER, whole & (turn == NOTHING), block, reading),
+        *_report(Code.SPINDLE_OFF, STOPPED, turn == OFF, block, reading),
+        *_report(Code.SPINDLE_WITHOUT_SPEED, NO_SPEED, still, block, reading),
+        *_report(Code.SPINDLE_REVERSED, REVERSED, (turn == LEFT) & ~still, block, reading),
     )
-    return (report_finding(Code.SPINDLE_OFF, found, line=line),)
+
+
+def _is_laser(reading: Reading, speed: Floats) -> bool:
+    """Whether S changes between 0 and more in the feed lines themselves, as it does for a laser's power."""
+    rows, number = words_of(reading, "S")
+    fed = np.isin(rows, reading.row)
+    return bool((number[fed] == 0.0).any() and (number[fed] > 0.0).any() and (speed > 0.0).any())
+
+
+def _report(
+    code: Code, text: Template, where: Bools, block: Ints, reading: Reading, severity: Severity | None = None
+) -> tuple[Finding, ...]:
+    count = int(where.sum())
+    if not count:
+        return ()
+    first = int(block[np.argmax(where)])
+    line = int(reading.program.line[first])
+    sentence = text.say(line=line, count=count)
+    return (report_finding(code, sentence, float(count), block=first, line=line, severity=severity),)
+
+
+def _find_turns(text: bytes, reading: Reading) -> Floats:
+    """Return how the spindle turns in each row (rows,). What starts it does so before the row moves, M5 stops
+    it behind: a control may do either, and nothing is claimed of that row."""
+    rows, number = words_of(reading, "M")
+    event = events(reading)
+    known = np.isin(number, list(TURNS))
+    event[rows[known]] = [TURNS[int(one)] for one in number[known].tolist()]
+    event[rows[number == RIGID]] = UNKNOWN
+    if reading.language == "siemens":
+        places = _numbers_in(SIEMENS_SPINDLE, text, b"M")
+        several = len({found.group(0)[:3] for found in SIEMENS_SPINDLE.finditer(text)}) > 1
+        turns = ((at, TURNS.get(int(n)) if n < UNKNOWN else None) for at, n in places)
+        told = [(at, UNKNOWN if several and turn == OFF else turn) for at, turn in turns if turn is not None]
+        mark_file_lines(reading, event, text, told)
+    mark_file_lines(reading, event, text, ((one.start(), UNKNOWN) for one in OWN_MOTION.finditer(text)))
+    state = hold(event)
+    return np.where(event == OFF, before(state), state)
+
+
+def _find_speeds(text: bytes, reading: Reading) -> Floats:
+    """Return S in force in each row (rows,)."""
+    rows, number = words_of(reading, "S")
+    event = events(reading)
+    event[rows] = np.abs(number)
+    if reading.language == "siemens":
+        mark_file_lines(reading, event, text, _numbers_in(SIEMENS_SPINDLE, text, b"S"))
+    elif reading.language == "heidenhain":
+        mark_file_lines(reading, event, text, _numbers_in(TOOL_CALL, text))
+    return hold(event)
+
+
+def _numbers_in(pattern: re.Pattern[bytes], text: bytes, letter: bytes = b"") -> list[tuple[int, float]]:
+    """Return where the words of a pattern stand, and their numbers, :data:`UNKNOWN` where they say none."""
+    found = []
+    for one in pattern.finditer(text):
+        if not letter or one["letter"].upper() == letter:
+            number = one["number"]
+            found.append((one.start("letter") if letter else one.start(), _number(number)))
+    return found
+
+
+def _number(text: bytes | None) -> float:
+    try:
+        return float(text or b"inf")
+    except ValueError:
+        return float(UNKNOWN)

@@ -268,6 +268,8 @@ class Code(str, Enum):
         "the safe height lies beyond the limits",
     )
     SPINDLE_OFF = "spindle-off", WARNING, "", "the spindle stays off"
+    SPINDLE_WITHOUT_SPEED = "spindle-without-speed", WARNING, "", "the spindle is started without a speed"
+    SPINDLE_REVERSED = "spindle-reversed", WARNING, "", "the spindle turns to the left where the program feeds"
     START_THROUGH_PART = (
         "start-through-part",
         ERROR,

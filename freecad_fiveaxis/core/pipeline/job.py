@@ -37,7 +37,7 @@ from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_a
 from freecad_fiveaxis.core.motion.singularity import find_singular
 from freecad_fiveaxis.core.nc.head import slot_texts
 from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter, note_named_cutter
-from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
+from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_in_order
 from freecad_fiveaxis.core.orientation.strategies import find_strategy
 from freecad_fiveaxis.core.passes import find_pass_strategy
 from freecad_fiveaxis.core.report import Figures, judge
@@ -136,11 +136,12 @@ def make(
         machine.no_motion,
         search_folders(settings, settings.source),
     )
-    program = read_nc(text, kinematics, dialect, progress, assumed)
+    reading = read_in_order(text, kinematics, dialect, progress, assumed)
+    program = reading.program
     settings, named = _with_named_cutter(settings, text)
     found += (
         named
-        + spindle_findings(text, program)
+        + spindle_findings(text, reading)
         + unit_findings(text, kinematics, program)
         + large_feeds(program, dialect)
     )

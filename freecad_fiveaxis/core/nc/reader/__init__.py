@@ -2,6 +2,6 @@
 """NC text of any origin in."""
 
 from .lines import Assumed
-from .nc_reader import dialect_of_text, read_nc
+from .nc_reader import Reading, dialect_of_text, read_in_order, read_nc
 
-__all__ = ["Assumed", "dialect_of_text", "read_nc"]
+__all__ = ["Assumed", "Reading", "dialect_of_text", "read_in_order", "read_nc"]

@@ -18,10 +18,13 @@ never passed over in silence: each kind is a finding with its name, its first li
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Ints
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -41,13 +44,30 @@ from .findings import (
     word_findings,
     wrap_findings,
 )
-from .lines import UNTOLD, Assumed
+from .lines import UNTOLD, Assumed, Lines
 from .machine_moves import find_gaps, leave_out_gaps
 from .motion_lines import find_line_states, find_motion_lines
 from .positions import find_moves
 from .source import read_source
 from .turning import plane_findings
 from .words import language_of
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """A program with what stands between its blocks. ``lines``: rows of words in the order in which the
+    control comes to them, loops and calls written out, row 0 empty; ``row`` (m,) that of each block;
+    ``guided`` (rows,) where the controller guides the tip; ``language`` of the text."""
+
+    program: Program
+    lines: Lines
+    row: Ints
+    guided: Bools
+    language: str
+
+    def in_file(self) -> Ints:
+        """Return the line of the file that each row comes from (rows,)."""
+        return self.lines.words.in_file(np.arange(self.lines.count))
 
 
 def read_nc(
@@ -65,6 +85,17 @@ def read_nc(
     Axes that the first motion line does not name are taken as 0 there, with a finding. Raises ProgramError,
     naming line and column, for text that cannot be read, and where there is no motion line at all.
     """
+    return read_in_order(text, kinematics, dialect, progress, assumed).program
+
+
+def read_in_order(
+    text: bytes,
+    kinematics: Chain,
+    dialect: Dialect | None = None,
+    progress: Progress = silent,
+    assumed: Assumed = UNTOLD,
+) -> Reading:
+    """Return the Program as :func:`read_nc`, with the words between its blocks. Raises ProgramError."""
     progress("reading NC", 0.0)
     source = read_source(text, kinematics, dialect, assumed, progress)
     lines, grammar, words = source.lines, source.grammar, source.lines.words
@@ -86,7 +117,9 @@ def read_nc(
     )  # fmt: skip
     program = leave_out_gaps(program, gaps, blocks.row)
     findings = (*source.findings, *in_file(words, findings + guide_findings(program, motions)), *of_codes)
-    return replace(program, line=words.in_file(program.line), findings=fold(findings, source.cause))
+    row = program.line
+    program = replace(program, line=words.in_file(row), findings=fold(findings, source.cause))
+    return Reading(program, lines, row, state.on, grammar.name)
 
 
 def dialect_of_text(text: bytes, usual: Dialect) -> tuple[Dialect, tuple[Finding, ...]]:
