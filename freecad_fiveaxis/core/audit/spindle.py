@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Template
+from freecad_fiveaxis.core.base.sentences import Sentence, plural, say
 from freecad_fiveaxis.core.nc.reader import Reading
 
 from .states import NOTHING, UNKNOWN, before, cutting_rows, ends, events, hold, mark_file_lines, words_of
@@ -18,8 +19,11 @@ from .states import NOTHING, UNKNOWN, before, cutting_rows, ends, events, hold, 
 OFF, RIGHT, LEFT = 0, 1, 2
 TURNS = {3: RIGHT, 13: RIGHT, 4: LEFT, 14: LEFT, 5: OFF}
 """M words; M13 and M14 start the coolant too."""
+CLAMP = 14
+"""On ISO controls M14 may as well clamp a rotary axis: then it says nothing of the spindle's turn."""
 OWN_MOTION = re.compile(
-    rb"G0*(?:74|84)(?:\.[0-9])?(?![0-9.])|CYCLE840?(?![0-9])|CYCL DEF (?:2|17|18|206|207|209)(?![0-9])|SPOSA?\b",
+    rb"G0*(?:74|84)(?:\.[0-9])?(?![0-9.])|CYCLE840?(?![0-9])|CYCL DEF (?:2|17|18|206|207|209)(?![0-9])|"
+    rb"SPOSA?\b",
     re.IGNORECASE,
 )
 """Tapping drives the spindle itself, and an oriented one may be meant to stand (scribing): no claim."""
@@ -31,28 +35,12 @@ SIEMENS_SPINDLE = re.compile(
 TOOL_CALL = re.compile(
     rb"^[ 0-9/]*TOOL CALL[^\n;]*?\bS *(?P<number>[0-9.]+)?(?=[^A-Z0-9.]|Q|$)", re.IGNORECASE | re.MULTILINE
 )
-NEVER = Template(
-    "The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 with S "
-    "before the tool gets to the part."
-)
-STOPPED = Template(
-    "The spindle stands still in {count} feed blocks, from NC line {line} on: M5 is in force there. Give M3 "
-    "before them, or delete the M5."
-)
-NO_SPEED = Template(
-    "The spindle has no speed in {count} feed blocks, from NC line {line} on: it is started, but no S above 0 "
-    "is in force there. Give S with M3."
-)
-REVERSED = Template(
-    "The spindle turns to the left (M4) in {count} feed blocks, from NC line {line} on. That is right for "
-    "left-hand tools alone: give M3 for any other."
-)
 
 
 def spindle_findings(text: bytes, reading: Reading) -> tuple[Finding, ...]:
     """Say where the program feeds while the spindle stands still, has no speed, or turns to the left. What is
-    told by a variable, and several spindles, are not judged; of what stands outside the ``text`` only a whole
-    program is asked."""
+    told by a variable, and several spindles, are not judged; what may
+    stand outside the ``text`` is left to a part of a program."""
     if reading.language == "iso" and b"$" in text:
         return ()
     block, row = cutting_rows(reading)
@@ -60,33 +48,80 @@ def spindle_findings(text: bytes, reading: Reading) -> tuple[Finding, ...]:
     whole = ends(reading, text)
     turns = (turn == RIGHT) | (turn == LEFT)
     still = turns & ((speed == 0.0) | (whole & (speed == NOTHING)))
-    if reading.language == "iso" and _is_laser(reading, speed):
+    if reading.language == "iso" and _is_laser(reading):
         still &= False
+    left = (turn == LEFT) & ~still
     return (
-        *_report(Code.SPINDLE_OFF, NEVER, whole & (turn == NOTHING), block, reading),
-        *_report(Code.SPINDLE_OFF, STOPPED, turn == OFF, block, reading),
-        *_report(Code.SPINDLE_WITHOUT_SPEED, NO_SPEED, still, block, reading),
-        *_report(Code.SPINDLE_REVERSED, REVERSED, (turn == LEFT) & ~still, block, reading),
+        *_report(Code.SPINDLE_OFF, _say_never, whole & (turn == NOTHING), block, reading),
+        *_report(Code.SPINDLE_OFF, _say_stopped, turn == OFF, block, reading),
+        *_report(Code.SPINDLE_WITHOUT_SPEED, _say_no_speed, still, block, reading),
+        *_report(Code.SPINDLE_REVERSED, _say_reversed, left, block, reading),
     )
 
 
-def _is_laser(reading: Reading, speed: Floats) -> bool:
-    """Whether S changes between 0 and more in the feed lines themselves, as it does for a laser's power."""
+def turns_at_end(text: bytes, reading: Reading) -> bool:
+    """Whether the spindle turns where the program ends, as far as that is known."""
+    return bool(_find_turns(text, reading)[-1] in (RIGHT, LEFT))
+
+
+def _is_laser(reading: Reading) -> bool:
+    """Whether S goes between 0 and more in the feed lines themselves, as it does for a laser's power."""
     rows, number = words_of(reading, "S")
     fed = np.isin(rows, reading.row)
-    return bool((number[fed] == 0.0).any() and (number[fed] > 0.0).any() and (speed > 0.0).any())
+    return bool((number[fed] == 0.0).any() and (number[fed] > 0.0).any())
 
 
 def _report(
-    code: Code, text: Template, where: Bools, block: Ints, reading: Reading, severity: Severity | None = None
+    code: Code, sentence: Callable[[int, int], Sentence], where: Bools, block: Ints, reading: Reading
 ) -> tuple[Finding, ...]:
+    """Report the first of the feed blocks ``where`` (k,) it is so, and their count."""
     count = int(where.sum())
     if not count:
         return ()
     first = int(block[np.argmax(where)])
     line = int(reading.program.line[first])
-    sentence = text.say(line=line, count=count)
-    return (report_finding(code, sentence, float(count), block=first, line=line, severity=severity),)
+    return (report_finding(code, sentence(count, line), float(count), block=first, line=line),)
+
+
+def _say_never(count: int, line: int) -> Sentence:
+    return say(
+        "The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 "
+        "with S before the tool gets to the part.",
+        line=line,
+    )
+
+
+def _say_stopped(count: int, line: int) -> Sentence:
+    return plural(
+        count,
+        "The spindle stands still in {count} feed block, NC line {line}: M5 is in force there. Give M3 "
+        "before it, or delete the M5.",
+        "The spindle stands still in {count} feed blocks, from NC line {line} on: M5 is in force there. "
+        "Give M3 before them, or delete the M5.",
+        line=line,
+    )
+
+
+def _say_no_speed(count: int, line: int) -> Sentence:
+    return plural(
+        count,
+        "The spindle has no speed in {count} feed block, NC line {line}: it is started, but no S above 0 is "
+        "in force there. Give S with M3.",
+        "The spindle has no speed in {count} feed blocks, from NC line {line} on: it is started, but no S "
+        "above 0 is in force there. Give S with M3.",
+        line=line,
+    )
+
+
+def _say_reversed(count: int, line: int) -> Sentence:
+    return plural(
+        count,
+        "The spindle turns to the left (M4) in {count} feed block, NC line {line}. That is right for "
+        "left-hand tools alone: give M3 for any other.",
+        "The spindle turns to the left (M4) in {count} feed blocks, from NC line {line} on. That is right "
+        "for left-hand tools alone: give M3 for any other.",
+        line=line,
+    )
 
 
 def _find_turns(text: bytes, reading: Reading) -> Floats:
@@ -97,12 +132,16 @@ def _find_turns(text: bytes, reading: Reading) -> Floats:
     known = np.isin(number, list(TURNS))
     event[rows[known]] = [TURNS[int(one)] for one in number[known].tolist()]
     event[rows[number == RIGID]] = UNKNOWN
+    if reading.language == "iso":
+        event[rows[number == CLAMP]] = UNKNOWN
     if reading.language == "siemens":
         places = _numbers_in(SIEMENS_SPINDLE, text, b"M")
         several = len({found.group(0)[:3] for found in SIEMENS_SPINDLE.finditer(text)}) > 1
         turns = ((at, TURNS.get(int(n)) if n < UNKNOWN else None) for at, n in places)
-        told = [(at, UNKNOWN if several and turn == OFF else turn) for at, turn in turns if turn is not None]
-        mark_file_lines(reading, event, text, told)
+        places = [
+            (at, UNKNOWN if several and turn == OFF else turn) for at, turn in turns if turn is not None
+        ]
+        mark_file_lines(reading, event, text, places)
     mark_file_lines(reading, event, text, ((one.start(), UNKNOWN) for one in OWN_MOTION.finditer(text)))
     state = hold(event)
     return np.where(event == OFF, before(state), state)

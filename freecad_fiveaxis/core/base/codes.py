@@ -269,7 +269,11 @@ class Code(str, Enum):
     )
     SPINDLE_OFF = "spindle-off", WARNING, "", "the spindle stays off"
     SPINDLE_WITHOUT_SPEED = "spindle-without-speed", WARNING, "", "the spindle is started without a speed"
-    SPINDLE_REVERSED = "spindle-reversed", WARNING, "", "the spindle turns to the left where the program feeds"
+    SPINDLE_REVERSED = "spindle-reversed", WARNING, "", "the spindle turns to the left"
+    TOOL_LENGTH_OFF = "tool-length-off", WARNING, "", "no tool length is active where the program feeds"
+    TOOL_LENGTH_OTHER = "tool-length-other", WARNING, "", "the length of another tool is active"
+    GUIDE_NOT_ENDED = "guide-not-ended", WARNING, "", "the tip is still guided where the program ends"
+    PROGRAM_WITHOUT_END = "program-without-end", NOTE, "", "nothing ends the program"
     START_THROUGH_PART = (
         "start-through-part",
         ERROR,

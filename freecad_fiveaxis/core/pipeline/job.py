@@ -18,7 +18,9 @@ import numpy as np
 
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
 from freecad_fiveaxis.core.audit.feed_words import large_feeds
+from freecad_fiveaxis.core.audit.program_end import end_findings
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
+from freecad_fiveaxis.core.audit.tool_length import assume_length, length_findings
 from freecad_fiveaxis.core.audit.units import unit_findings
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import read_bytes
@@ -142,12 +144,15 @@ def make(
     found += (
         named
         + spindle_findings(text, reading)
+        + length_findings(text, reading, dialect)
+        + end_findings(text, reading, dialect)
         + unit_findings(text, kinematics, program)
         + large_feeds(program, dialect)
     )
     return ProgramDraft(
-        settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures
-    )
+        settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures,
+        assumed=assume_length(reading, dialect),
+    )  # fmt: skip
 
 
 def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:
@@ -405,5 +410,5 @@ def figures(result: Result) -> Figures:
         rapids=rapids_of(draft.settings, draft.machine, draft.dialect),
         table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft,
             MilledProgram) else None,
-        fixtures=tuple(one.name for one in draft.fixtures),
+        fixtures=tuple(one.name for one in draft.fixtures), assumed=draft.assumed,
     )  # fmt: skip

@@ -9,6 +9,7 @@ from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.sentences import Sentence
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
@@ -32,7 +33,7 @@ from .settings import Settings
 @dataclass(frozen=True, eq=False)
 class ProgramDraft:
     """A program of rounded words, not yet proven, with the machine that it is for, and the fixtures that the
-    tool is to keep out of."""
+    tool is to keep out of; ``assumed``: what is taken for granted because the NC text does not say it."""
 
     settings: Settings
     machine: Machine
@@ -41,6 +42,7 @@ class ProgramDraft:
     program: Program
     findings: tuple[Finding, ...]
     fixtures: tuple[Fixture, ...] = field(default=(), kw_only=True)
+    assumed: tuple[Sentence, ...] = field(default=(), kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)

@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.audit.rates import RATE_ROUNDING
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Sentence
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.machine import Machine
@@ -72,7 +73,7 @@ class Figures:
     controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
-    against.
+    against; ``assumed``: what the NC text does not say and is taken for granted.
     """
 
     title: str
@@ -99,6 +100,7 @@ class Figures:
     rapids: str = ""
     table: float | None = None
     fixtures: tuple[str, ...] = ()
+    assumed: tuple[Sentence, ...] = ()
 
     @property
     def judged(self) -> Deviation:

@@ -149,6 +149,7 @@ def _state_assumptions(figures: Figures, numbers: Mapping[str, Any]) -> Iterator
         yield say("the tool is {length} long, and of the shape given", length=Length(float(length)))
     else:
         yield say("the tool has the length and the shape given")
+    yield from figures.assumed
     if numbers["feed_blocks"] > numbers["guided_blocks"]:
         yield say("in a feed block all axes run in proportion to each other")
     if numbers["guided_blocks"]:
