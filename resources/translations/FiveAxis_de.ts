@@ -4776,8 +4776,16 @@
         <translation>FreeCADs Datei sagt nicht alles; angenommen: {lacking}. Unter fiveaxis berichtigen.</translation>
     </message>
     <message>
+        <source>From NC line {line} on axes go home, and {function} is still on: the control may refuse that, or move X Y Z beside the rotary axes to keep the tip. Give {off} before it.</source>
+        <translation>Ab NC-Zeile {line} fahren Achsen heim, und {function} ist noch an: Die Steuerung kann das ablehnen, oder sie bewegt X Y Z neben den Drehachsen, um die Spitze zu halten. Davor {off} angeben.</translation>
+    </message>
+    <message>
         <source>G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file.</source>
         <translation>G12.1 P0 gilt als Kinematik der Spitze (M428), G12.1 P1 als die der Achsen (M429), wie LinuxCNCs trt-Module und 5axiskins zählen. Zählt das Modul der Maschine anders, ist es ein anderer Weg: in ihrer HAL-Datei nachsehen.</translation>
+    </message>
+    <message>
+        <source>G43, G43.4, G43.5 and G234 take it by their H: give H there.</source>
+        <translation>G43, G43.4, G43.5 und G234 nehmen sie mit ihrem H: dort H angeben.</translation>
     </message>
     <message>
         <source>G66 calls a program after each block</source>
@@ -4792,6 +4800,18 @@
         <translation>GODLTA steht vor dem ersten GOTO: der Ausgangspunkt ist nicht bekannt</translation>
     </message>
     <message>
+        <source>Give D1 after D0.</source>
+        <translation>Nach D0 wieder D1 angeben.</translation>
+    </message>
+    <message>
+        <source>Give G43 H after M6.</source>
+        <translation>Nach M6 G43 H angeben.</translation>
+    </message>
+    <message>
+        <source>Give TOOL CALL with the tool.</source>
+        <translation>TOOL CALL mit dem Werkzeug angeben.</translation>
+    </message>
+    <message>
         <source>Give {options}.</source>
         <translation>Geben Sie {options} an.</translation>
     </message>
@@ -4802,6 +4822,10 @@
     <message>
         <source>In 1 of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
         <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
+    </message>
+    <message>
+        <source>In NC line {line} the program ends, and {function} is still on: the next one may begin with it. Give {off} before the end.</source>
+        <translation>In NC-Zeile {line} endet das Programm, und {function} ist noch an: Das nächste kann damit beginnen. Vor dem Ende {off} angeben.</translation>
     </message>
     <message>
         <source>In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
@@ -5026,6 +5050,14 @@
     <message>
         <source>No setup of the region keeps all axes within their limits and the part on the table.</source>
         <translation>Keine Aufspannung des Bereichs hält alle Achsen in ihren Grenzen und das Werkstück auf dem Tisch.</translation>
+    </message>
+    <message>
+        <source>No tool length is active in {count} feed block, NC line {line}: the control takes the tool for one of length 0 and drives it in by its length, if work zero was not set with this tool. {remedy}</source>
+        <translation>In {count} Vorschubsatz, NC-Zeile {line}, ist keine Werkzeuglänge wirksam: Die Steuerung hält das Werkzeug für 0 lang und fährt es um seine Länge ins Teil, wenn der Nullpunkt nicht mit ihm gesetzt wurde. {remedy}</translation>
+    </message>
+    <message>
+        <source>No tool length is active in {count} feed blocks, from NC line {line} on: the control takes the tool for one of length 0 and drives it in by its length, if work zero was not set with this tool. {remedy}</source>
+        <translation>In {count} Vorschubsätzen, ab NC-Zeile {line}, ist keine Werkzeuglänge wirksam: Die Steuerung hält das Werkzeug für 0 lang und fährt es um seine Länge ins Teil, wenn der Nullpunkt nicht mit ihm gesetzt wurde. {remedy}</translation>
     </message>
     <message>
         <source>No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over} at least. Widen the region, turn the part, or take a larger machine.</source>
@@ -5296,6 +5328,14 @@
         <translation>Die Achsen werden so genommen, wie sich das Werkzeug relativ zum Werkstück bewegt (ISO 841). Vor dem Fräsen die Vorzeichen prüfen.</translation>
     </message>
     <message>
+        <source>The length of H{number} is active with tool T{tool} in {count} feed block, NC line {line}. Give G43 H{tool} after the M6, or see that row {number} of the table holds the length of T{tool}.</source>
+        <translation>In {count} Vorschubsatz, NC-Zeile {line}, ist die Länge von H{number} mit Werkzeug T{tool} wirksam. Nach dem M6 G43 H{tool} angeben, oder prüfen, dass Zeile {number} der Tabelle die Länge von T{tool} enthält.</translation>
+    </message>
+    <message>
+        <source>The length of H{number} is active with tool T{tool} in {count} feed blocks, from NC line {line} on. Give G43 H{tool} after the M6, or see that row {number} of the table holds the length of T{tool}.</source>
+        <translation>In {count} Vorschubsätzen, ab NC-Zeile {line}, ist die Länge von H{number} mit Werkzeug T{tool} wirksam. Nach dem M6 G43 H{tool} angeben, oder prüfen, dass Zeile {number} der Tabelle die Länge von T{tool} enthält.</translation>
+    </message>
+    <message>
         <source>The lines after the end of the program in line {last} are not read.</source>
         <translation>Die Zeilen nach dem Programmende in Zeile {last} werden nicht gelesen.</translation>
     </message>
@@ -5384,6 +5424,10 @@
         <translation>Das Programm reicht über {size}, {name} über {other}, {times}-fach: Eines von beiden wird in Zoll gelesen und meint mm, oder umgekehrt. {option} angeben, wo die Datei ihre Einheit nicht nennt, sonst richtigstellen, was sie nennt.</translation>
     </message>
     <message>
+        <source>The program has no end: give {word} in its last line.</source>
+        <translation>Das Programm hat kein Ende: in der letzten Zeile {word} angeben.</translation>
+    </message>
+    <message>
         <source>The program has rotary words {letters}, {name} has {own}.</source>
         <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
     </message>
@@ -5428,6 +5472,22 @@
         <translation>Die Form von {label} ist ungültig, ihr Netz hätte Risse: reparieren (Part: Geometrie prüfen zeigt, wo) oder einen anderen Volumenkörper wählen.</translation>
     </message>
     <message>
+        <source>The spindle has no speed in {count} feed block, NC line {line}: it is started, but no S above 0 is in force there. Give S with M3.</source>
+        <translation>Die Spindel hat in {count} Vorschubsatz, NC-Zeile {line}, keine Drehzahl: Sie ist eingeschaltet, aber kein S über 0 ist dort wirksam. S mit M3 angeben.</translation>
+    </message>
+    <message>
+        <source>The spindle has no speed in {count} feed blocks, from NC line {line} on: it is started, but no S above 0 is in force there. Give S with M3.</source>
+        <translation>Die Spindel hat in {count} Vorschubsätzen, ab NC-Zeile {line}, keine Drehzahl: Sie ist eingeschaltet, aber kein S über 0 ist dort wirksam. S mit M3 angeben.</translation>
+    </message>
+    <message>
+        <source>The spindle stands still in {count} feed block, NC line {line}: M5 is in force there. Give M3 before it, or delete the M5.</source>
+        <translation>Die Spindel steht in {count} Vorschubsatz, NC-Zeile {line}, still: Dort ist M5 wirksam. Davor M3 angeben oder das M5 löschen.</translation>
+    </message>
+    <message>
+        <source>The spindle stands still in {count} feed blocks, from NC line {line} on: M5 is in force there. Give M3 before them, or delete the M5.</source>
+        <translation>Die Spindel steht in {count} Vorschubsätzen, ab NC-Zeile {line}, still: Dort ist M5 wirksam. Davor M3 angeben oder das M5 löschen.</translation>
+    </message>
+    <message>
         <source>The spindle stays off, as asked: this program is for a dry run.</source>
         <translation>Die Spindel bleibt aus, wie verlangt: dieses Programm ist für einen Lauf ohne Schnitt.</translation>
     </message>
@@ -5438,6 +5498,18 @@
     <message>
         <source>The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 with S before the tool gets to the part.</source>
         <translation>Die Spindel steht: nichts vor NC-Zeile {line}, der ersten mit Vorschub, schaltet sie ein. M3 mit S geben, bevor das Werkzeug an das Teil kommt.</translation>
+    </message>
+    <message>
+        <source>The spindle still turns there.</source>
+        <translation>Die Spindel dreht sich dort noch.</translation>
+    </message>
+    <message>
+        <source>The spindle turns to the left (M4) in {count} feed block, NC line {line}. That is right for left-hand tools alone: give M3 for any other.</source>
+        <translation>Die Spindel dreht in {count} Vorschubsatz, NC-Zeile {line}, links herum (M4). Das ist nur für linksschneidende Werkzeuge richtig: für andere M3 angeben.</translation>
+    </message>
+    <message>
+        <source>The spindle turns to the left (M4) in {count} feed blocks, from NC line {line} on. That is right for left-hand tools alone: give M3 for any other.</source>
+        <translation>Die Spindel dreht in {count} Vorschubsätzen, ab NC-Zeile {line}, links herum (M4). Das ist nur für linksschneidende Werkzeuge richtig: für andere M3 angeben.</translation>
     </message>
     <message>
         <source>The table goes {right}: {letter} has the wrong sign.</source>
@@ -7308,6 +7380,10 @@
         <translation>keine Werkzeugachse hält das Werkzeug aus Teil, Spannmitteln und Tisch</translation>
     </message>
     <message>
+        <source>no tool length is active where the program feeds</source>
+        <translation>im Vorschub ist keine Werkzeuglänge wirksam</translation>
+    </message>
+    <message>
         <source>no tool {number}</source>
         <translation>kein Werkzeug {number}</translation>
     </message>
@@ -7358,6 +7434,10 @@
     <message>
         <source>not part of any word</source>
         <translation>gehört zu keinem Wort</translation>
+    </message>
+    <message>
+        <source>nothing ends the program</source>
+        <translation>nichts beendet das Programm</translation>
     </message>
     <message>
         <source>nothing in it moves tool or work by {letters}</source>
@@ -7908,6 +7988,10 @@
         <translation>das Dokument wurde geschlossen; nichts wurde geändert</translation>
     </message>
     <message>
+        <source>the dynamic work offset (G254)</source>
+        <translation>die dynamische Nullpunktverschiebung (G254)</translation>
+    </message>
+    <message>
         <source>the executor gave back {given} for the job {job}; choose another one</source>
         <translation>der Executor gab {given} für den Auftrag {job} zurück; einen anderen wählen</translation>
     </message>
@@ -8018,6 +8102,14 @@
     <message>
         <source>the kinematics that the program switches to are not known</source>
         <translation>die Kinematik, auf die das Programm umschaltet, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the length of another tool is active</source>
+        <translation>die Länge eines anderen Werkzeugs ist wirksam</translation>
+    </message>
+    <message>
+        <source>the length of the tool is active: no G43 was read</source>
+        <translation>die Werkzeuglänge ist wirksam: kein G43 wurde gelesen</translation>
     </message>
     <message>
         <source>the linear axes X, Y, Z lie in one plane; correct their directions</source>
@@ -8196,8 +8288,16 @@
         <translation>die Seite, die nach {way} zeigt, bei {place}</translation>
     </message>
     <message>
+        <source>the spindle is started without a speed</source>
+        <translation>die Spindel ist ohne Drehzahl eingeschaltet</translation>
+    </message>
+    <message>
         <source>the spindle stays off</source>
         <translation>die Spindel bleibt aus</translation>
+    </message>
+    <message>
+        <source>the spindle turns to the left</source>
+        <translation>die Spindel dreht links herum</translation>
     </message>
     <message>
         <source>the spindle's speed is not told before it</source>
@@ -8238,6 +8338,10 @@
     <message>
         <source>the tip is guided (G234) at the same time</source>
         <translation>die Spitze wird zugleich geführt (G234)</translation>
+    </message>
+    <message>
+        <source>the tip is still guided where the program ends</source>
+        <translation>am Programmende wird die Spitze noch geführt</translation>
     </message>
     <message>
         <source>the tip swinging {way}</source>
@@ -8566,6 +8670,10 @@
     <message>
         <source>tool axes were not of unit length</source>
         <translation>Werkzeugachsen hatten nicht die Länge eins</translation>
+    </message>
+    <message>
+        <source>tool centre control</source>
+        <translation>die Führung der Werkzeugspitze</translation>
     </message>
     <message>
         <source>tool number is {tool}; give 1 to 99999</source>
