@@ -65,7 +65,10 @@ def test_the_spindle_is_followed_from_block_to_block(tmp_path):
     assert in_iso(tmp_path, middle="M5\nM3") == []
     assert in_iso(tmp_path, middle="X1 M5\nX2\nM3") == [("spindle-off", 8, 1.0)], "its own line ends before"
     assert in_siemens(tmp_path, middle="M5") == [("spindle-off", 9, 2.0)]
-    assert in_siemens(tmp_path, middle="M1=5\nM1=3") == []
+    numbered = 'T="MILL"\nM6\nD1\nS1=800 M1=3'
+    assert in_siemens(tmp_path, numbered, "M1=5") == [("spindle-off", 9, 2.0)]
+    assert in_siemens(tmp_path, numbered, "M1=5\nM1=3") == in_siemens(tmp_path, numbered, "; M1=5") == []
+    assert in_siemens(tmp_path, numbered, "M2=5") == in_siemens(tmp_path, middle="M2=5") == []
     assert in_klartext(tmp_path, middle="L X2 M5\nL X3\nM13") == [("spindle-off", 7, 1.0)]
 
 

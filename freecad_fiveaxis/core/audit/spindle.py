@@ -14,38 +14,51 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Sentence, plural, say
 from freecad_fiveaxis.core.nc.reader import Reading
 
-from .states import NOTHING, UNKNOWN, before, cutting_rows, ends, events, hold, mark_file_lines, words_of
+from .states import (
+    NOTHING,
+    UNKNOWN,
+    before,
+    clean_text,
+    cutting_rows,
+    ends,
+    events,
+    hold,
+    mark_file_lines,
+    words_of,
+)
 
 OFF, RIGHT, LEFT = 0, 1, 2
-TURNS = {3: RIGHT, 13: RIGHT, 4: LEFT, 14: LEFT, 5: OFF}
+TURNS: dict[float, int] = {3: RIGHT, 13: RIGHT, 4: LEFT, 14: LEFT, 5: OFF}
 """M words; M13 and M14 start the coolant too."""
+STARTS = frozenset(TURNS) - {5}
 CLAMP = 14
 """On ISO controls M14 may as well clamp a rotary axis: then it says nothing of the spindle's turn."""
-OWN_MOTION = re.compile(
-    rb"G0*(?:74|84)(?:\.[0-9])?(?![0-9.])|CYCLE840?(?![0-9])|CYCL DEF (?:2|17|18|206|207|209)(?![0-9])|"
-    rb"SPOSA?\b",
-    re.IGNORECASE,
-)
+OWN_MOTION = {
+    "iso": re.compile(rb"G0*[78]4(?:\.[0-9])?(?![0-9.])"),
+    "siemens": re.compile(rb"CYCLE840?(?![0-9])|SPOSA?(?![A-Z0-9_])|G0*33[12](?![0-9.])"),
+    "heidenhain": re.compile(rb"CYCL DEF (?:2|17|18|206|207|209)(?![0-9])"),
+}
 """Tapping drives the spindle itself, and an oriented one may be meant to stand (scribing): no claim."""
 RIGID = 29
+NUMBERED = re.compile(rb"\$ *-?[0-9]")
+"""LinuxCNC's number of one spindle of several."""
 SIEMENS_SPINDLE = re.compile(
-    rb"(?<![A-Z0-9_$])(?P<letter>[MS]) *[0-9]* *= *(?P<number>[0-9.]+(?![0-9. ]*[-+*/(\[]))?", re.IGNORECASE
+    rb"(?<![A-Z0-9_$])(?P<letter>[MS]) *(?P<spindle>[0-9]*) *= *(?P<number>[0-9.]+(?![0-9. ]*[-+*/(\[]))?"
 )
 """M1=3 and S1=8000, of one spindle of several; S=R1 says no number."""
-TOOL_CALL = re.compile(
-    rb"^[ 0-9/]*TOOL CALL[^\n;]*?\bS *(?P<number>[0-9.]+)?(?=[^A-Z0-9.]|Q|$)", re.IGNORECASE | re.MULTILINE
-)
+TOOL_CALL = re.compile(rb"^[ 0-9/]*TOOL CALL[^\n]*?\bS *(?P<number>[0-9.]+)?(?=[^A-Z0-9.]|Q|$)", re.MULTILINE)
 
 
 def spindle_findings(text: bytes, reading: Reading) -> tuple[Finding, ...]:
     """Say where the program feeds while the spindle stands still, has no speed, or turns to the left. What is
-    told by a variable, and several spindles, are not judged; what may
-    stand outside the ``text`` is left to a part of a program."""
-    if reading.language == "iso" and b"$" in text:
+    told by a variable, and several spindles, are not judged; what may stand outside the ``text`` is left to a
+    part of a program."""
+    whole = ends(reading, text)
+    text = clean_text(text, reading.language)
+    if reading.language == "iso" and b"$" in text and NUMBERED.search(text):
         return ()
     block, row = cutting_rows(reading)
     turn, speed = _find_turns(text, reading)[row], _find_speeds(text, reading)[row]
-    whole = ends(reading, text)
     turns = (turn == RIGHT) | (turn == LEFT)
     still = turns & ((speed == 0.0) | (whole & (speed == NOTHING)))
     if reading.language == "iso" and _is_laser(reading):
@@ -61,7 +74,7 @@ def spindle_findings(text: bytes, reading: Reading) -> tuple[Finding, ...]:
 
 def turns_at_end(text: bytes, reading: Reading) -> bool:
     """Whether the spindle turns where the program ends, as far as that is known."""
-    return bool(_find_turns(text, reading)[-1] in (RIGHT, LEFT))
+    return bool(_find_turns(clean_text(text, reading.language), reading)[-1] in (RIGHT, LEFT))
 
 
 def _is_laser(reading: Reading) -> bool:
@@ -130,21 +143,32 @@ def _find_turns(text: bytes, reading: Reading) -> Floats:
     rows, number = words_of(reading, "M")
     event = events(reading)
     known = np.isin(number, list(TURNS))
-    event[rows[known]] = [TURNS[int(one)] for one in number[known].tolist()]
+    event[rows[known]] = [TURNS[one] for one in number[known].tolist()]
     event[rows[number == RIGID]] = UNKNOWN
     if reading.language == "iso":
         event[rows[number == CLAMP]] = UNKNOWN
     if reading.language == "siemens":
-        places = _numbers_in(SIEMENS_SPINDLE, text, b"M")
-        several = len({found.group(0)[:3] for found in SIEMENS_SPINDLE.finditer(text)}) > 1
-        turns = ((at, TURNS.get(int(n)) if n < UNKNOWN else None) for at, n in places)
-        places = [
-            (at, UNKNOWN if several and turn == OFF else turn) for at, turn in turns if turn is not None
-        ]
-        mark_file_lines(reading, event, text, places)
-    mark_file_lines(reading, event, text, ((one.start(), UNKNOWN) for one in OWN_MOTION.finditer(text)))
+        plain = np.isin(number, list(STARTS)).any()
+        mark_file_lines(reading, event, text, _find_numbered_turns(text, bool(plain)))
+    own = OWN_MOTION[reading.language].finditer(text)
+    mark_file_lines(reading, event, text, ((one.start(), UNKNOWN) for one in own))
     state = hold(event)
     return np.where(event == OFF, before(state), state)
+
+
+def _find_numbered_turns(text: bytes, plain: bool) -> list[tuple[int, float]]:
+    """Return where a numbered spindle of Siemens starts or stops, as M1=3. A stop counts where no other is
+    started, ``plain``: by M3 alone; which of several cuts is not known."""
+    numbered = [one for one in SIEMENS_SPINDLE.finditer(text) if one["letter"] == b"M"]
+    turns = [(one, TURNS.get(_number(one["number"])) if one["number"] else None) for one in numbered]
+    started = {one["spindle"] for one, turn in turns if turn in (RIGHT, LEFT)} | ({b""} if plain else set())
+    found = []
+    for one, turn in turns:
+        if turn == OFF and one["spindle"] in started:
+            found.append((one.start(), float(OFF if len(started) == 1 else UNKNOWN)))
+        elif turn is not None and turn != OFF:
+            found.append((one.start(), float(turn)))
+    return found
 
 
 def _find_speeds(text: bytes, reading: Reading) -> Floats:
@@ -163,7 +187,7 @@ def _numbers_in(pattern: re.Pattern[bytes], text: bytes, letter: bytes = b"") ->
     """Return where the words of a pattern stand, and their numbers, :data:`UNKNOWN` where they say none."""
     found = []
     for one in pattern.finditer(text):
-        if not letter or one["letter"].upper() == letter:
+        if not letter or one["letter"] == letter:
             number = one["number"]
             found.append((one.start("letter") if letter else one.start(), _number(number)))
     return found

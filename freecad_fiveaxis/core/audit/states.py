@@ -27,6 +27,7 @@ UNREAD = frozenset({Code.CALL_NOT_INTERPRETED, Code.MACRO_NOT_INTERPRETED})
 UNREAD_KEYWORD = Code.UNKNOWN_CODE
 """In Siemens' and Heidenhain's language a word that is not known may be a subprogram of the builder."""
 END_PGM = re.compile(rb"^ *[0-9]* *END +PGM\b", re.IGNORECASE | re.MULTILINE)
+REMARK = re.compile(rb";[^\n]*|\"[^\"\n]*\"")
 TAIL = 4096
 """Bytes at the end of the text in which the end of the program is looked for."""
 
@@ -68,6 +69,13 @@ def mark_file_lines(reading: Reading, event: Floats, text: bytes, at: Iterable[t
     of_file[line] = [value for _, value in places]
     given = of_file[np.minimum(reading.in_file(), len(of_file) - 1)]
     np.copyto(event, given, where=np.isnan(event))
+
+
+def clean_text(text: bytes, language: str) -> bytes:
+    """Return the text in capitals with lines ending in LF; of Siemens and Heidenhain, whose words are looked
+    for in it, blanks for remarks and strings."""
+    text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n").upper()
+    return text if language == "iso" else REMARK.sub(lambda found: b" " * len(found[0]), text)
 
 
 def cutting_rows(reading: Reading) -> tuple[Ints, Ints]:

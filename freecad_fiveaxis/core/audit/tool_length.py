@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.base.sentences import Sentence, plural, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.nc.reader import Reading
 
-from .states import NOTHING, UNKNOWN, before, cutting_rows, events, has_code, hold, words_of
+from .states import NOTHING, UNKNOWN, before, clean_text, cutting_rows, events, has_code, hold, words_of
 from .states import mark_file_lines as mark
 
 TABLE = ("fanuc", "haas", "mach3", "linuxcnc")
@@ -40,8 +40,8 @@ OTHER_H = (100, 410, 420, 650, 660, 661)
 CHANGE = 6
 RULE = 10
 """Rows of the table that are so many, or a multiple, off the tool's number follow a rule: H101 for T1."""
-TOOL_BY_NAME = re.compile(rb"(?<![A-Z0-9_$])T *=", re.IGNORECASE)
-TOOL_CALL = re.compile(rb"^[ 0-9/]*TOOL CALL +(?P<number>[0-9]+)?", re.IGNORECASE | re.MULTILINE)
+TOOL_BY_NAME = re.compile(rb"(?<![A-Z0-9_$])T *=")
+TOOL_CALL = re.compile(rb"^[ 0-9/]*TOOL CALL +(?P<number>[0-9]+)?", re.MULTILINE)
 
 
 class Held(NamedTuple):
@@ -131,7 +131,7 @@ def _in_spindle(reading: Reading) -> Floats:
 
 def _is_taken_away(text: bytes, reading: Reading) -> Bools:
     """Return the rows (rows,) in which D0 of Siemens is in force, or tool 0 of Heidenhain."""
-    event = events(reading)
+    event, text = events(reading), clean_text(text, reading.language)
     if reading.language == "heidenhain":
         mark(
             reading,
