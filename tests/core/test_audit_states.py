@@ -8,6 +8,8 @@ import pytest
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.report.scope import scope
 
 STATES = {
     "spindle-off", "spindle-without-speed", "spindle-reversed", "tool-length-off", "tool-length-other",
@@ -207,3 +209,12 @@ def test_a_program_has_an_end(tmp_path):
     klartext = KLARTEXT.format(head=CALL, middle="", tail="")
     assert without_end(tmp_path, klartext, "heidenhain") == []
     assert without_end(tmp_path, klartext.replace("END PGM A MM\n", ""), "heidenhain") == [Severity.WARNING]
+
+
+def test_the_report_names_what_it_takes_for_granted(tmp_path):
+    nc = tmp_path / "part.nc"
+    nc.write_text(ISO.format(head="S800 M3", middle="", tail="M5"), encoding="utf-8")
+    settings = build_settings("audit", str(nc), {"machine": "trunnion_ac", "controller": "fanuc"})
+    figures = job.figures(job.run(settings))
+    assumed = [str(one) for one in scope(figures, summary(figures)).assumed]
+    assert "the length of the tool is active: no G43 was read" in assumed
