@@ -2391,6 +2391,10 @@
         <translation>LinuxCNCs .ini, eine .urdf oder eine .fcm des Maschineneditors von FreeCAD</translation>
     </message>
     <message>
+        <source>Looks down</source>
+        <translation>Zeigt nach unten</translation>
+    </message>
+    <message>
         <source>Low end</source>
         <translation>Unteres Ende</translation>
     </message>
@@ -8072,6 +8076,10 @@
         <translation>der Name ist leer; der Maschine einen geben</translation>
     </message>
     <message>
+        <source>the open surface looks down, so that its underside is machined</source>
+        <translation>die offene Fläche zeigt nach unten, sodass ihre Unterseite bearbeitet wird</translation>
+    </message>
+    <message>
         <source>the part</source>
         <translation>das Teil</translation>
     </message>
@@ -9180,6 +9188,10 @@
         <translation>{edges} Kanten haben mehr als zwei Facetten, die erste bei {at}; Bahnen enden dort. Die Körper, die sich dort treffen, trennen oder vereinigen.</translation>
     </message>
     <message>
+        <source>{edges} edges have one facet only, the first at {at}: the facets hang together nearly nowhere, and passes end at each of them. Export the mesh again with common corners, or repair it (in FreeCAD: Evaluate and repair mesh, Duplicated points).</source>
+        <translation>{edges} Kanten haben nur eine Facette, die erste bei {at}: Die Facetten hängen fast nirgends zusammen, und Bahnen enden an jeder von ihnen. Das Netz noch einmal mit gemeinsamen Ecken exportieren oder reparieren (in FreeCAD: Netz auswerten und reparieren, doppelte Punkte).</translation>
+    </message>
+    <message>
         <source>{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the facet normals.</source>
         <translation>{edges} Kanten haben zwei Facetten, die sie im selben Sinn durchlaufen, die erste bei {at}; Bahnen enden dort. Die Facettennormalen vereinheitlichen.</translation>
     </message>
@@ -10022,6 +10034,10 @@
     <message>
         <source>{share} % of the surface to be milled stays unfinished</source>
         <translation>{share} % der zu fräsenden Fläche bleiben unbearbeitet</translation>
+    </message>
+    <message>
+        <source>{share} % of this open surface ({area}) look down, so its underside is machined. If its upper side is meant, turn its normals round (in FreeCAD: Flip normals of a mesh, Reverse shapes of a face).</source>
+        <translation>{share} % dieser offenen Fläche ({area}) zeigen nach unten, also wird ihre Unterseite bearbeitet. Ist die Oberseite gemeint, die Normalen umdrehen (in FreeCAD: Normalen umkehren bei einem Netz, Formen umkehren bei einer Fläche).</translation>
     </message>
     <message>
         <source>{share} % the settings leave out</source>

@@ -249,9 +249,36 @@ def test_corners_a_rounding_apart_are_joined_and_counted(read, turn):
 
 
 def test_corners_farther_apart_stay_and_are_named(read):
-    loose = sheet(4, 3) + np.random.default_rng(3).uniform(-1e-3, 1e-3, (24, 3, 3))
+    loose = sheet(4, 3) + np.random.default_rng(3).uniform(-1e-2, 1e-2, (24, 3, 3))
     mesh = read("\n".join(ascii_lines(loose)).encode())
     assert len(mesh.vertex) == 72 and value(mesh, "open-shell") == 72
+
+
+@pytest.mark.parametrize(
+    ("side", "apart"), [(1.0, 2e-4), (0.1, 8e-6), (0.1, 2e-4), (40.0, 2e-4), (2000.0, 1e-4)]
+)
+def test_corners_that_a_writer_rounded_are_joined_however_small_the_facets(read, side, apart):
+    """8e-6 mm is what 32 bits keep of 100 mm: a hundredth of a percent of a facet's side of 0.1 mm."""
+    loose = side * sheet(4, 3) + np.random.default_rng(3).uniform(-apart, apart, (24, 3, 3))
+    mesh = read("\n".join(ascii_lines(loose)).encode())
+    assert len(mesh.vertex) == 20 and value(mesh, "open-shell") == 14, "as if they had been equal"
+
+
+@pytest.mark.parametrize(("side", "apart"), [(40.0, 0.003), (0.1, 0.0013)])
+def test_a_gap_that_is_no_rounding_stays_open(read, side, apart):
+    one = side * sheet(3, 3)
+    mesh = read("\n".join(ascii_lines(np.concatenate([one, one + [0.0, 3.0 * side + apart, 0.0]]))).encode())
+    assert not value(mesh, "corners-joined") and value(mesh, "open-shell") == 24
+
+
+def test_of_a_mesh_that_hangs_together_nowhere_it_is_said_how_to_repair_it(read):
+    loose = sheet(4, 3) + 0.1 * np.random.default_rng(3).uniform(-1.0, 1.0, (24, 3, 3))
+    torn = [one for one in read("\n".join(ascii_lines(loose)).encode()).findings if one.code == "open-shell"]
+    assert len(torn) == 1 and "hang together nearly nowhere" in torn[0].text and torn[0].value == 72
+    whole = [
+        one for one in read("\n".join(ascii_lines(sheet(4, 3))).encode()).findings if one.code == "open-shell"
+    ]
+    assert "Close the shell" in whole[0].text and whole[0].value == 14
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.6])

@@ -97,6 +97,12 @@ class Code(str, Enum):
         "mm2",
         "facets that no allowed tool axis reaches from above, or that the part stands on",
     )
+    SURFACE_LOOKS_DOWN = (
+        "surface-looks-down",
+        WARNING,
+        "mm2",
+        "the open surface looks down, so that its underside is machined",
+    )
     FACETS_NEAR_AVOIDED = (
         "facets-near-avoided",
         WARNING,

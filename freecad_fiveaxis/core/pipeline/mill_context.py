@@ -29,6 +29,7 @@ from freecad_fiveaxis.core.passes import (
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
+    report_far_side,
     report_standing,
     standing_facets,
     with_room,
@@ -98,7 +99,7 @@ def mill_context(
     else:
         keep, left_out = _choose_by_angle(context)
         context = replace(context, keep=keep)
-    return context, area.findings + left_out
+    return context, area.findings + report_far_side(mesh) + left_out
 
 
 def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillContext, tuple[Finding, ...]]:
