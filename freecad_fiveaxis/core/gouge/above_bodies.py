@@ -5,14 +5,15 @@ all other axes stand: nobody knows that when a program is started.
 span      the box in the machine frame that a piece never leaves, its Z at zero: over all pairs of rotary
           joints within their limits in steps, grown by the proven bend between them, as
           :mod:`..motion.program.retract` does it; linear axes move it by the ends of their travel.
-lifted    what Z carries, seen from what it does not. A piece that stays beside another one in X or Y, wherever
-          both go, need not be above it.
+lifted    what Z carries, seen from what it does not. A piece that stays beside another one in X or Y,
+          wherever both go, need not be above it.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -97,15 +98,15 @@ def _carry_all(given: InMachine, box: tuple[Floats, Floats]) -> Iterator[Carried
 
 
 def _rise(machine: Machine) -> tuple[float, bool]:
-    """How far a millimetre of Z lifts what it carries, 0 where that turns or is too little, and whether it
-    moves it aside."""
+    """Tell how far a millimetre of Z lifts what it carries, 0 where that turns or is too little, and whether
+    it moves it aside."""
     way, _ = carriers_from_base(machine, "Z")
     rise, turned = way[-1].direction[2], any(axis.rotary for axis in way)
     return 0.0 if turned or abs(rise) < LEAST_LIFT else rise, abs(abs(rise) - 1.0) > VERTICAL
 
 
 def _need(held: Span, over: Span, rise: float, aside: bool) -> float:
-    """The height of Z, mm, as a joint, from which on the one is above the other."""
+    """Return the height of Z, mm, as a joint, from which on the one is above the other."""
     apart = (held.low[:2] >= over.high[:2]) | (held.high[:2] <= over.low[:2])
     if apart.any() and not aside:
         return -math.inf
@@ -123,14 +124,14 @@ def _span(machine: Machine, one: Carried) -> Span:
     if not np.isfinite(q).all():  # a linear axis without limits that a rotary one carries
         return Span(one, np.full(3, -np.inf), np.full(3, np.inf), lifted)
     low, high = _box_of_poses(CarriedMotion(steps, one.piece), q)
-    by = one.piece.round + _bend(steps, one)
+    by = one.piece.round + _bend(steps[first:], one)
     ways = [_shift(step) for step in steps[:first] if step.axis.letter != "Z"]
     return Span(one, low - by + sum(way[0] for way in ways), high + by + sum(way[1] for way in ways), lifted)
 
 
 def _joints(step: Step, turned: bool) -> Floats:
-    """The joints of an axis that are looked at: of a rotary one its limits, or a whole turn, in steps; of a
-    linear one that a rotary one carries both ends."""
+    """Return the joints of an axis that are looked at: of a rotary one its limits, or a whole turn, in steps;
+    of a linear one that a rotary one carries both ends."""
     low, high = step.axis.low, step.axis.high
     if not step.axis.rotary:
         return np.array([low, high]) if turned and step.axis.letter != "Z" else np.zeros(1)
@@ -139,7 +140,7 @@ def _joints(step: Step, turned: bool) -> Floats:
 
 
 def _shift(step: Step) -> tuple[Floats, Floats]:
-    """How far (3,) and (3,) mm a linear axis that nothing turns moves a piece, downwards and upwards."""
+    """Tell how far (3,) and (3,) mm a linear axis that nothing turns moves a piece, downwards and upwards."""
     way = step.sign * np.array(step.axis.direction)
     ends = np.zeros((2, 3))
     moves = np.abs(way) > VERTICAL
@@ -148,7 +149,7 @@ def _shift(step: Step) -> tuple[Floats, Floats]:
 
 
 def _box_of_poses(motion: CarriedMotion, joints: Floats) -> tuple[Floats, Floats]:
-    """The corners (3,) mm of the box about a moved piece at all joints (n, k), without its round."""
+    """Find the corners (3,) mm of the box about a moved piece at all joints (n, k), without its round."""
     corner, step = motion.moved.corner, max(1, AT_ONCE // (3 * len(motion.moved.corner)))
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for first in range(0, len(joints), step):
@@ -159,13 +160,16 @@ def _box_of_poses(motion: CarriedMotion, joints: Floats) -> tuple[Floats, Floats
 
 
 def _bend(steps: Sequence[Step], one: Carried) -> float:
-    """How much farther, mm, a point may go between the rotary joints that are looked at: its lever is no
-    longer than the way from axis to axis and on to the point."""
+    """Bound how much farther, mm, a point may go between the rotary joints that are looked at; ``steps`` from
+    the first that turns. Its lever is no longer than the way from axis to axis and on to the point."""
     points = [np.array(step.axis.point) for step in steps if step.axis.rotary]
     if not points:
         return 0.0
     lever = float(np.linalg.norm(one.piece.corner - points[-1], axis=1).max())
-    lever += sum(float(np.linalg.norm(b - a)) for a, b in zip(points, points[1:], strict=False))
-    lever += sum(max(map(abs, (step.axis.low, step.axis.high))) for step in steps
-        if not step.axis.rotary and step.axis.letter != "Z" and math.isfinite(step.axis.high - step.axis.low))  # fmt: skip
+    lever += sum(float(np.linalg.norm(b - a)) for a, b in pairwise(points))
+    lever += sum(
+        max(-step.axis.low, step.axis.high)
+        for step in steps
+        if not step.axis.rotary and step.axis.letter != "Z"
+    )
     return 0.5 * lever * (0.5 * STEP * len(points)) ** 2

@@ -56,7 +56,12 @@ def post_path(
     program = build_program(joints, kinematics, dialect, settings.feeds.feed_mode == "g93", context.progress)
     plane = find_start_plane(context, program)
     nc = write_nc(
-        program, dialect, nc_title(settings, machine), post_options(settings), context.progress, plane.z or 0.0
+        program,
+        dialect,
+        nc_title(settings, machine),
+        post_options(settings),
+        context.progress,
+        plane.z or 0.0,
     )
     findings = (
         found

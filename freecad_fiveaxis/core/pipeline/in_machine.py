@@ -93,10 +93,10 @@ def _look_at_ends(
     return tuple(
         replace(one, text=join_sentences((lead, one.text)), block=_end_of(one, program), hit=None)
         for one in check_machine(given, ends, part, tolerance)
-        if one.code == Code.MACHINE_COLLISION
+        if one.code in (Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN) and one.block is not None
     )
 
 
 def _end_of(found: Finding, program: Program) -> int:
-    """The block of the program, its first or last, at which something is hit."""
+    """Return the block of the program, its first or last, at which something is hit."""
     return 0 if found.block == 1 else len(program.words) - 1

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How the program that the settings ask for begins and ends: its head's lines, and what to say of them.
 
-The lines are made by core/nc/start.py, the plane is found in :mod:`.start_plane`; the Program itself begins where
-block 0 ends, with the tool above that place and the rotary axes turned.
+The lines are made by core/nc/start.py, the plane is found in :mod:`.start_plane`; the Program itself
+begins where block 0 ends, with the tool above that place and the rotary axes turned.
 """
 
 from __future__ import annotations

@@ -49,8 +49,8 @@ def find_start_plane(context: JobContext, program: Program) -> StartPlane:
     passed = [one.z for one in needs if math.isfinite(one.z) and not (one.still and one.z > limit)]
     z = max([sign * part, *(math.ceil(one / WHOLE) * WHOLE for one in passed)])
     remedy = say(
-        "Z goes no higher: stand the rotary axes by hand where the first block wants them before the start, use a "
-        "shorter tool, or narrow the rotary limits in the machine file to what is really used."
+        "Z goes no higher: before the start stand the rotary axes by hand where the first block wants them, "
+        "use a shorter tool, or narrow the rotary limits in the machine file to what is really used."
     )
     return _judge(needs, sign, sign * min(z, limit) if z > sign * part else part, remedy, found)
 
@@ -92,8 +92,8 @@ def _judge(
 def _too_low(moved: Sequence[Clearing], sign: float, z: float, remedy: Sentence) -> Finding:
     need = sign * max(one.z for one in moved)
     text = say(
-        "The program begins and ends at Z {height}. Only from Z {need} on are tool and spindle above what the "
-        "axes carry, wherever these stand before: {names}.",
+        "The program begins and ends at Z {height}. Only from Z {need} on are tool and spindle above what "
+        "the axes carry, wherever these stand before: {names}.",
         height=Length(z, bare=True), need=Length(need, bare=True), names=", ".join(one.name for one in moved),
     )  # fmt: skip
     return report_finding(Code.START_BELOW_BODIES, join_sentences((text, remedy)), need, z)
