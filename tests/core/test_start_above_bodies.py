@@ -203,8 +203,9 @@ def test_what_is_proven_of_start_and_end_is_said_and_what_is_not_known(tmp_path)
         assert any("how the axes come to the first block" in one for one in found.unknown)
 
 
-def test_an_audit_says_that_the_lines_before_the_first_block_were_not_looked_at(tmp_path):
-    made = posted(tmp_path)
+@pytest.mark.parametrize("changes", [{}, {"bodies": ()}], ids=["bodies", "bare"])
+def test_an_audit_says_that_the_lines_before_the_first_block_were_not_looked_at(changes, tmp_path):
+    made = posted(tmp_path, **changes)
     (tmp_path / "a.ngc").write_bytes(made.draft.nc)
     given = {"machine": str(tmp_path / "m.fcm"), "tool_length": LENGTH, "cutter": f"ball:{2 * RADIUS:g}"}
     audited = job.prove(job.make(build_settings("audit", str(tmp_path / "a.ngc"), given)))
