@@ -4796,6 +4796,10 @@
         <translation>GODLTA steht vor dem ersten GOTO: der Ausgangspunkt ist nicht bekannt</translation>
     </message>
     <message>
+        <source>Give safe_start of the machine file a higher Z.</source>
+        <translation>Geben Sie safe_start in der Maschinendatei ein höheres Z.</translation>
+    </message>
+    <message>
         <source>Give {options}.</source>
         <translation>Geben Sie {options} an.</translation>
     </message>
@@ -5380,6 +5384,10 @@
         <translation>Die jetzige Aufspannung ist so gut wie jede des Bereichs: größte Abweichung {deviation}.</translation>
     </message>
     <message>
+        <source>The program begins and ends at Z {height}. Only from Z {need} on are tool and spindle above what the axes carry, wherever these stand before: {names}.</source>
+        <translation>Das Programm beginnt und endet auf Z {height}. Erst ab Z {need} sind Werkzeug und Spindel über dem, was die Achsen tragen, wo immer diese vorher stehen: {names}.</translation>
+    </message>
+    <message>
         <source>The program counts {name} from {value} (within {certainty}), not from the CL path's zero. A machine file cannot hold that: correct {what}, or the post.</source>
         <translation>Das Programm zählt {name} von {value} (auf {certainty} genau), nicht vom Nullpunkt des CL-Wegs. Eine Maschinendatei kann das nicht festhalten: {what} oder den Postprozessor berichtigen.</translation>
     </message>
@@ -5660,6 +5668,10 @@
         <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
     </message>
     <message>
+        <source>Where Z comes down to the first block, or rises from the last one:</source>
+        <translation>Wo Z zum ersten Satz hinabfährt oder vom letzten aus steigt:</translation>
+    </message>
+    <message>
         <source>Where holder or machine are in the way, no tool that sticks out up to 80 mm farther helps.</source>
         <translation>Wo Halter oder Maschine im Weg sind, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
     </message>
@@ -5734,6 +5746,10 @@
     <message>
         <source>X{x} Y{y} Z{z}</source>
         <translation>X{x} Y{y} Z{z}</translation>
+    </message>
+    <message>
+        <source>Z goes no higher: before the start stand the rotary axes by hand where the first block wants them, use a shorter tool, or narrow the rotary limits in the machine file to what is really used.</source>
+        <translation>Höher fährt Z nicht: Stellen Sie vor dem Start die Drehachsen von Hand dorthin, wo der erste Satz sie braucht, nehmen Sie ein kürzeres Werkzeug, oder begrenzen Sie die Drehachsen in der Maschinendatei auf das, was wirklich benutzt wird.</translation>
     </message>
     <message>
         <source>Z of this machine does not lift the tool: give its file another safe_start than clearance</source>
@@ -6540,6 +6556,14 @@
         <translation>ab Zeile {line} führt die Steuerung die Spitze (G43.4, G43.5, G234, M128, M428, TRAORI oder FUNCTION TCPM): X Y Z sind Orte der Spitze und sagen nichts über Drehpunkte; ohne Werkzeugspitzenführung noch einmal ausgeben</translation>
     </message>
     <message>
+        <source>from the first block to the last those of the machine's bodies that move against each other stay out of each other, and out of part and fixtures as far as these are known, but for neighbours that touch with all axes at zero: {names}</source>
+        <translation>vom ersten bis zum letzten Satz bleiben die Körper der Maschine, die sich gegeneinander bewegen, einander fern, ebenso Werkstück und Spannmitteln, soweit diese bekannt sind, außer Nachbarn, die sich berühren, wenn alle Achsen auf null stehen: {names}</translation>
+    </message>
+    <message>
+        <source>from the first block to the last tool and spindle, as far as they are given, stay out of the machine's bodies: {names}</source>
+        <translation>vom ersten bis zum letzten Satz bleiben Werkzeug und Spindel, soweit angegeben, außerhalb der Körper der Maschine: {names}</translation>
+    </message>
+    <message>
         <source>from the front</source>
         <translation>von vorn</translation>
     </message>
@@ -6618,6 +6642,10 @@
     <message>
         <source>how much stays is not known from the passes alone, but told by the map of what is left where that is asked for ({left})</source>
         <translation>wie viel stehen bleibt, ist aus den Bahnen allein nicht bekannt; die Karte des Restmaterials sagt es, wo sie verlangt ist ({left})</translation>
+    </message>
+    <message>
+        <source>how the axes come to the first block, and where they go behind the last: where they stand before the program is not known, so nothing was looked at there</source>
+        <translation>wie die Achsen zum ersten Satz kommen und wohin sie nach dem letzten fahren: Wo sie vor dem Programm stehen, ist nicht bekannt, also wurde dort nichts geprüft</translation>
     </message>
     <message>
         <source>in a feed block all axes run in proportion to each other</source>
@@ -7384,10 +7412,6 @@
         <translation>nichts, was bearbeitet werden soll, ist von der Achse der Bahnen abgewandt; geben Sie die Achse an, um die das Werkstück gedreht wird</translation>
     </message>
     <message>
-        <source>of the machine's bodies those that move against each other stay out of each other, and out of part and fixtures as far as these are known, but for neighbours that touch with all axes at zero: {names}</source>
-        <translation>von den Körpern der Maschine bleiben die, die sich gegeneinander bewegen, auseinander und aus Werkstück und Spannmitteln, soweit diese bekannt sind; außer Nachbarn, die einander berühren, wenn alle Achsen auf null stehen: {names}</translation>
-    </message>
-    <message>
         <source>of what stays a fixture keeps the tool off so much</source>
         <translation>von dem, was stehen bleibt, hält ein Spannmittel das Werkzeug von so viel ab</translation>
     </message>
@@ -7462,6 +7486,10 @@
     <message>
         <source>part</source>
         <translation>Werkstück</translation>
+    </message>
+    <message>
+        <source>part and fixtures</source>
+        <translation>Werkstück und Spannmittel</translation>
     </message>
     <message>
         <source>part {file} cannot be meshed: {reason}</source>
@@ -8124,6 +8152,10 @@
         <translation>das Programm beginnt und endet am Referenzpunkt von Z</translation>
     </message>
     <message>
+        <source>the program begins and ends below what the axes carry</source>
+        <translation>das Programm beginnt und endet tiefer als das, was die Achsen tragen</translation>
+    </message>
+    <message>
         <source>the program has no block that moves; there is nothing to play</source>
         <translation>das Programm hat keinen NC-Satz mit Bewegung; es gibt nichts abzuspielen</translation>
     </message>
@@ -8552,10 +8584,6 @@
         <translation>Werkzeug</translation>
     </message>
     <message>
-        <source>tool and spindle, as far as they are given, stay out of the machine's bodies: {names}</source>
-        <translation>Werkzeug und Spindel, soweit angegeben, bleiben aus den Körpern der Maschine draußen: {names}</translation>
-    </message>
-    <message>
         <source>tool axes are told by vectors in it</source>
         <translation>in ihr stehen Werkzeugachsen als Vektoren</translation>
     </message>
@@ -8716,12 +8744,24 @@
         <translation>wo er beginnt, ist nicht bekannt: X, Y und Z sind nicht alle genannt, seit die geschwenkte Ebene begann oder endete</translation>
     </message>
     <message>
+        <source>where the axes stand before the program: the way of Z up to {height}, and the machine's bodies against each other while the axes go to the first block</source>
+        <translation>wo die Achsen vor dem Programm stehen: der Weg von Z hinauf auf {height}, und die Körper der Maschine gegeneinander, während die Achsen zum ersten Satz fahren</translation>
+    </message>
+    <message>
         <source>where the controller guides the tip it turns the rotary axes evenly: so were tool, spindle and the machine's bodies looked at between the blocks' ends</source>
         <translation>wo die Steuerung die Spitze führt, dreht sie die Drehachsen gleichmäßig: so wurden Werkzeug, Spindel und die Körper der Maschine zwischen den Satzenden angesehen</translation>
     </message>
     <message>
+        <source>where the program begins and ends, at Z {height}, tool and spindle are above part, fixtures and the machine's bodies, wherever the other axes stand, and from there Z comes down clear to the first block and rises clear from the last</source>
+        <translation>wo das Programm beginnt und endet, auf Z {height}, sind Werkzeug und Spindel über Werkstück, Spannmitteln und den Körpern der Maschine, wo immer die anderen Achsen stehen, und von dort fährt Z frei zum ersten Satz hinab und steigt frei vom letzten</translation>
+    </message>
+    <message>
         <source>where the table is, is not known</source>
         <translation>wo der Tisch ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>whether tool and spindle meet {names} on the way to the first block: Z cannot go above them</source>
+        <translation>ob Werkzeug und Spindel auf dem Weg zum ersten Satz auf {names} treffen: Z kann nicht darüber fahren</translation>
     </message>
     <message>
         <source>which kinematics a number switches to, as LinuxCNC counts</source>

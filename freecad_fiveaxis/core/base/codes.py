@@ -273,6 +273,12 @@ class Code(str, Enum):
         "mm",
         "the safe height lies beyond the limits",
     )
+    START_BELOW_BODIES = (
+        "start-below-bodies",
+        WARNING,
+        "mm",
+        "the program begins and ends below what the axes carry",
+    )
     SPINDLE_OFF = "spindle-off", WARNING, "", "the spindle stays off"
     START_THROUGH_PART = (
         "start-through-part",
