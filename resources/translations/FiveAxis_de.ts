@@ -6488,6 +6488,10 @@
         <translation>Facetten außerhalb der Begrenzung sind ausgelassen</translation>
     </message>
     <message>
+        <source>facets that faced the other way than their neighbours were turned</source>
+        <translation>Facetten, die zur anderen Seite als ihre Nachbarn zeigten, wurden umgedreht</translation>
+    </message>
+    <message>
         <source>facets that no allowed tool axis reaches from above, or that the part stands on</source>
         <translation>Facetten, die keine erlaubte Werkzeugachse von oben erreicht, oder auf denen das Teil steht</translation>
     </message>
@@ -9030,6 +9034,10 @@
     <message>
         <source>{count} facets without area were left out, the first at {at}; passes end where that leaves a crack.</source>
         <translation>{count} Facetten ohne Fläche sind ausgelassen, die erste bei {at}; Bahnen enden, wo dadurch ein Riss bleibt.</translation>
+    </message>
+    <message>
+        <source>{count} facets, the first at {at}, faced the other way than their neighbours and were turned round.</source>
+        <translation>{count} Facetten, die erste bei {at}, zeigten zur anderen Seite als ihre Nachbarn und wurden umgedreht.</translation>
     </message>
     <message>
         <source>{count} feed blocks</source>

@@ -320,6 +320,38 @@ def test_a_third_facet_at_an_edge_is_not_joined_with_it(read):
     assert not value(mesh, "corners-joined") and not value(mesh, "non-manifold-edges")
 
 
+@pytest.mark.parametrize("wrong", [[3], [0, 5, 7], [1, 2, 3, 4, 8, 9, 10, 11]])
+def test_facets_that_face_the_other_way_are_turned(read, wrong):
+    corners = box()
+    corners[wrong] = corners[wrong, ::-1]
+    mesh, whole = read("\n".join(ascii_lines(corners)).encode()), from_triangles(box())
+    turned = min(len(wrong), 12 - len(wrong))  # where most were wrong the rest is turned, and then all
+    assert value(mesh, "facets-turned") == turned and not value(mesh, "inconsistent-winding")
+    assert not value(mesh, "open-shell") and (mesh.coedge_face >= 0).all()
+    inward = (mesh.normal * (mesh.vertex[mesh.face].mean(axis=1) - whole.vertex.mean(axis=0))).sum(axis=1)
+    assert (inward > 0.0).all() and len(mesh.face) == 12
+
+
+def test_of_an_open_sheet_the_smaller_part_is_turned(read):
+    corners = sheet(4, 3)
+    corners[:5] = corners[:5, ::-1]
+    mesh = read("\n".join(ascii_lines(corners)).encode())
+    assert value(mesh, "facets-turned") == 5 and (mesh.normal[:, 2] > 0.999).all()
+
+
+def test_a_strip_with_one_side_only_stays_as_it_is(read):
+    t = np.linspace(0.0, 2.0 * np.pi, 13)
+    out, up = np.stack([np.cos(t), np.sin(t), 0.0 * t], axis=1), np.array([0.0, 0.0, 1.0])
+    way = 0.3 * (np.cos(t / 2.0)[:, None] * out + np.sin(t / 2.0)[:, None] * up)
+    a, b = 2.0 * out + way, 2.0 * out - way
+    a[-1], b[-1] = b[0], a[0]
+    strip = np.concatenate(
+        [np.stack([a[:-1], b[:-1], b[1:]], axis=1), np.stack([a[:-1], b[1:], a[1:]], axis=1)]
+    )
+    mesh = read("\n".join(ascii_lines(strip)).encode())
+    assert not value(mesh, "facets-turned") and value(mesh, "inconsistent-winding") == 1
+
+
 def test_a_clean_mesh_is_the_very_same_object():
     for mesh in (from_triangles(sheet(4, 3)), from_triangles(box())):
         assert join_loose(mesh) is mesh

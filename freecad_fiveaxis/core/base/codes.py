@@ -47,6 +47,12 @@ class Code(str, Enum):
     CORNERS_JOINED = "corners-joined", NOTE, "1", "corners that lie next to each other were joined"
     DEGENERATE_FACETS = "degenerate-facets", NOTE, "1", "facets without an area were dropped"
     DOUBLED_FACETS = "doubled-facets", NOTE, "1", "facets that were there twice; one of each was kept"
+    FACETS_TURNED = (
+        "facets-turned",
+        NOTE,
+        "1",
+        "facets that faced the other way than their neighbours were turned",
+    )
     INCONSISTENT_WINDING = (
         "inconsistent-winding",
         WARNING,

@@ -18,6 +18,9 @@ FLAT_FACETS = Template(
 INWARD_FACETS = Template(
     "All {count} facets looked inward and were turned outward; check the export if only some of them should."
 )
+TURNED_FACETS = Template(
+    "{count} facets, the first at {at}, faced the other way than their neighbours and were turned round."
+)
 JOIN_FINDINGS = (
     (
         Code.DOUBLED_FACETS,
@@ -34,6 +37,8 @@ JOIN_FINDINGS = (
         ),
     ),
 )
+CHANGES = (Code.DEGENERATE_FACETS, *(code for code, _ in JOIN_FINDINGS))
+"""Of what was done to the mesh, however it is made anew afterwards."""
 TORN = Template(
     "{edges} edges have one facet only, the first at {at}: the facets hang together nearly nowhere, and "
     "passes end at each of them. Export the mesh again with common corners, or repair it (in FreeCAD: "
