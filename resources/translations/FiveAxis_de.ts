@@ -4844,12 +4844,12 @@
         <translation>In {count} NC-Sätzen läge F unter einem Schritt; sie laufen schneller als programmiert. G93 verwenden.</translation>
     </message>
     <message>
-        <source>In {count} blocks F would exceed the controller's largest; they run slower than programmed.</source>
-        <translation>In {count} NC-Sätzen läge F über dem größten der Steuerung; sie laufen langsamer als programmiert.</translation>
+        <source>In {count} blocks F would exceed the controller's largest; they run slower than programmed, half of them at less than {feed}. Use G94, or give a lower feed.</source>
+        <translation>In {count} Blöcken würde F das größte der Steuerung überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. G94 verwenden oder einen kleineren Vorschub angeben.</translation>
     </message>
     <message>
-        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.</source>
-        <translation>In {count} NC-Sätzen müsste eine Achse schneller als möglich laufen; sie laufen langsamer als programmiert.</translation>
+        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed, half of them at less than {feed}. For an even feed give a lower one, or set the part nearer to the rotary axes.</source>
+        <translation>In {count} Blöcken würde eine Achse ihre höchste Geschwindigkeit überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. Für einen gleichmäßigen Vorschub einen kleineren angeben oder das Teil näher an die Drehachsen setzen.</translation>
     </message>
     <message>
         <source>In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one group of axes after the other, or place the part otherwise on the table.</source>
