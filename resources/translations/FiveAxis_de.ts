@@ -6476,6 +6476,10 @@
         <translation>Facetten sind steiler als der größte Achswinkel</translation>
     </message>
     <message>
+        <source>facets lie inside another solid of the part</source>
+        <translation>Facetten liegen in einem anderen Volumenkörper des Teils</translation>
+    </message>
+    <message>
         <source>facets lie nearer to faces to avoid than the allowance</source>
         <translation>Facetten liegen den zu meidenden Flächen näher als das Aufmaß</translation>
     </message>
@@ -8834,6 +8838,10 @@
     <message>
         <source>{all} jobs: {well} without errors, {errors} with errors, {failed} failed</source>
         <translation>{all} Aufträge: {well} ohne Fehler, {errors} mit Fehlern, {failed} gescheitert</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % of the mesh) at {place} lie inside another solid of the part and are not machined. Unite the solids in CAD, so that passes end at the seam.</source>
+        <translation>{area} ({share} % des Netzes) bei {place} liegen in einem anderen Volumenkörper des Teils und werden nicht bearbeitet. Die Volumenkörper im CAD vereinigen, damit Bahnen an der Naht enden.</translation>
     </message>
     <message>
         <source>{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.</source>

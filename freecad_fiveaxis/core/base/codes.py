@@ -103,6 +103,7 @@ class Code(str, Enum):
         "mm2",
         "facets that no allowed tool axis reaches from above, or that the part stands on",
     )
+    FACETS_INSIDE = "facets-inside", NOTE, "mm2", "facets lie inside another solid of the part"
     SURFACE_LOOKS_DOWN = (
         "surface-looks-down",
         WARNING,
