@@ -627,8 +627,22 @@ def test_a_safe_start_retracts_turns_goes_over_and_only_then_guides_and_ends_wit
     )  # a plane above the part needs the tool's length
     if how:
         guide = begun.guide
-        assert order[2] < begun.head.index(guide.on[0]) and begun.head.index(guide.off[0]) < order[0]
-        assert begun.tail.index(guide.off[0]) < begun.tail.index(first)
+        assert order[2] < begun.head.index(guide.on[0]) and begun.head.index(guide.off[0]) < _last(
+            begun.head, first
+        )
+        assert begun.tail.index(guide.off[0]) < _last(begun.tail, first)
+        before = [lines.index(first) < lines.index(guide.off[0]) for lines in (begun.head, begun.tail)]
+        assert before == [guide.retract_first] * 2, "G49 alone may drive Z down by the tool's length"
+
+
+def _last(lines, line):
+    return len(lines) - 1 - lines[::-1].index(line)
+
+
+def test_fanuc_retracts_before_its_guide_is_switched_off() -> None:
+    assert [name for name, one in DIALECTS.items() if any(g.retract_first for g in one.guides.values())] == [
+        "fanuc"
+    ]
 
 
 def _minus(dialect: Dialect) -> str:

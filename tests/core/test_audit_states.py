@@ -166,12 +166,12 @@ def guide_left_on(folder, text, controller):
 @pytest.mark.parametrize(
     ("controller", "frame", "head", "off", "home"),
     [
-        ("fanuc", ISO, "T1 M6\nS800 M3\nG43.4 H1", "G49", "G53 G0 Z0"),
+        ("fanuc", ISO, "T1 M6\nS800 M3\nG43.4 H1", "G49", "G53 G0 X0 Y0"),
         ("fanuc", ISO, "T1 M6\nS800 M3\nG43.4 H1", "G49", "G0 A0 C0"),
-        ("haas", ISO, "T1 M6\nS800 M3\nG234 H1", "G49", "G53 G0 Z0"),
-        ("siemens840d", ISO, SIEMENS + "\nTRAORI", "TRAFOOF", "SUPA G0 Z0"),
+        ("haas", ISO, "T1 M6\nS800 M3\nG234 H1", "G49", "G53 G0 X0 Y0"),
+        ("siemens840d", ISO, SIEMENS + "\nTRAORI", "TRAFOOF", "SUPA G0 X0 Y0"),
         ("heidenhain", KLARTEXT, CALL + "\nFUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS", "FUNCTION RESET TCPM",
-         "L Z0 FMAX M91"),
+         "L X0 Y0 FMAX M91"),
         ("heidenhain_m128", KLARTEXT, CALL + "\nM128", "M129", "L A0 C0 FMAX"),
     ],
     ids=("fanuc", "fanuc rotary", "haas", "siemens", "heidenhain", "heidenhain M128"),
@@ -186,8 +186,16 @@ def test_axes_do_not_go_home_under_tool_centre_control(tmp_path, controller, fra
     assert [severity for _, severity in findings("M5")] == [Severity.NOTE]
 
 
+def test_z_retracts_before_the_guide_is_switched_off(tmp_path):
+    head = "T1 M6\nS800 M3\nG43.4 H1"
+    text = ISO.format(head=head, middle="", tail="G53 G0 Z0\nG49\nG53 G0 Z0\nG0 A0 C0")
+    assert guide_left_on(tmp_path, text, "fanuc") == []
+    text = ISO.format(head=head, middle="", tail="G53 G0 Z0\nG0 A0 C0")
+    assert guide_left_on(tmp_path, text, "fanuc") == [(11, Severity.WARNING)], "the line that turns"
+
+
 def test_the_dynamic_offset_of_haas_ends_before_axes_go_home(tmp_path):
-    text = ISO.format(head=START, middle="", tail="{off}G53 G0 Z0").replace("G1 Z0", "G254\nG1 Z0", 1)
+    text = ISO.format(head=START, middle="", tail="{off}G53 G0 X0 Y0").replace("G1 Z0", "G254\nG1 Z0", 1)
     assert guide_left_on(tmp_path, text.format(off=""), "haas") != []
     assert guide_left_on(tmp_path, text.format(off="G255\n"), "haas") == []
 

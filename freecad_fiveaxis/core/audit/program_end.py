@@ -96,7 +96,7 @@ def _report_left_on(reading: Reading, what: Sentence, off: str) -> Finding:
     line = int(reading.in_file()[homes[0]])
     text = say(
         "From NC line {line} on axes go home, and {function} is still on: the control may refuse that, or "
-        "move X Y Z beside the rotary axes to keep the tip. Give {off} before it.",
+        "move X Y Z beside the rotary axes to keep the tip. Retract Z, then give {off} before that line.",
         line=line, function=what, off=off,
     )  # fmt: skip
     return report_finding(Code.GUIDE_NOT_ENDED, text, line=line)
@@ -104,18 +104,20 @@ def _report_left_on(reading: Reading, what: Sentence, off: str) -> Finding:
 
 def _goes_home(reading: Reading) -> Bools:
     """Return the rows (rows,) behind the last feed that go to machine positions, or turn rotary axes alone to
-    0."""
+    0. Z alone may: it retracts before the guide is switched off, which may drive it by the tool's length."""
     fed, lines = feed_blocks(reading.program), reading.lines
     home = has_code(reading, HOMES[reading.language])
     home[lines.m_line(MACHINE_M if reading.language == "heidenhain" else ())] = True
     if MACHINE_WORD in lines.letters:
         home[words_of(reading, MACHINE_WORD)[0]] = True
-    rotary, elsewhere = np.zeros((2, lines.count), np.bool_)
+    rotary, across, elsewhere = np.zeros((3, lines.count), np.bool_)
     for letter in "ABC":
         row, number = words_of(reading, letter)
         rotary[row] = True
         elsewhere[row[number != 0.0]] = True
-    for letter in "XYZ":
-        elsewhere[words_of(reading, letter)[0]] = True
+    for letter in "XY":
+        across[words_of(reading, letter)[0]] = True
+    elsewhere[words_of(reading, "Z")[0]] = True
+    home &= rotary | across
     behind = np.arange(lines.count) > (int(reading.row[fed[-1]]) if len(fed) else 0)
-    return np.asarray(behind & (home | (rotary & ~elsewhere)))
+    return np.asarray(behind & (home | (rotary & ~across & ~elsewhere)))

@@ -37,7 +37,8 @@ class Guide:
     ``vector``: the three words of the tool axis, tip to holder, in the work frame; None where the rotary
     words give it. ``vector_decimals`` of them. ``straight``: the motion word of all blocks, "" the dialect's
     own. ``rotary_in_feed``: as in Dialect, but over the tip's way. ``needs_tool``: the switch names the
-    number of the length offset.
+    number of the length offset. ``retract_first``: Z retracts before the guide is switched off, because that
+    may drive Z by the tool's length.
     """
 
     on: tuple[str, ...]
@@ -47,6 +48,7 @@ class Guide:
     straight: str = ""
     rotary_in_feed: bool = False
     needs_tool: bool = False
+    retract_first: bool = False
 
 
 @dataclass(frozen=True)

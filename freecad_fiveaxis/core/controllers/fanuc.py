@@ -23,7 +23,8 @@ FANUC = Dialect(
 off (parameters 1006 and 1008); where the machine file says modulo, they are 0 to 360, which is roll-over on and the shorter
 way (parameter 1008#0 and #1). Every number has a decimal point. Under G93 F is one over the minutes of the block, in every
 feed block. Under G94 F is the speed over all axes, a degree counted as a millimetre (Linear interpolation G01: X20. C40.
-F300. takes sqrt(20^2 + 40^2)/300 min). Comments in capitals. G49 stands before the tool call, because it ends G43.4 too.
+F300. takes sqrt(20^2 + 40^2)/300 min). Comments in capitals. G49 stands before the tool call, because it ends G43.4 too; by itself it drives Z down by the tool's
+length where parameter 5006#6 is 0, so Z retracts before it.
 Under G43.4 and G43.5 X Y Z are the tip's place in the work ("programming coordinate system" on the workpiece, parameter
 19696#5 = 0) and F is the tip's speed. Type 2: I J K is the tool's direction, all three in every block that has one, because
 an omitted one counts as 0; the rotary axes take the shorter way. G05.1 Q1 is AI contour control.""",  # noqa: E501
@@ -52,8 +53,10 @@ an omitted one counts as 0; the rotary axes take the shorter way. G05.1 Q1 is AI
     ),
     guided_tail=("{guide}", "M5", "M9", "G94", "M30", "%"),
     guides={
-        ANGLES: Guide(on=("G43.4 H{number}",), off=("G49",), needs_tool=True),
-        VECTORS: Guide(on=("G43.5 H{number}",), off=("G49",), vector=("I", "J", "K"), needs_tool=True),
+        ANGLES: Guide(on=("G43.4 H{number}",), off=("G49",), needs_tool=True, retract_first=True),
+        VECTORS: Guide(
+            on=("G43.5 H{number}",), off=("G49",), vector=("I", "J", "K"), needs_tool=True, retract_first=True
+        ),
     },
     feed_decimals=3,
     rapids=UNKNOWN,

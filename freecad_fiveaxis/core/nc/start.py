@@ -11,7 +11,8 @@ tip       where all table axes turn about Z, X and Y of a guided program are tol
           are driven before the switch.
 
 Templates as in :mod:`.head`: ``{height}``, ``{rotaries}``, ``{over}``, ``{over_tip}``, ``{cutter}``;
-``{guide_off}`` are the lines that end a guide, which may still be on from another program.
+``{guide_off}`` are the lines that end a guide, which may still be on from another program. Where the
+controller may drive Z by the tool's length in them (Fanuc), Z retracts before and after.
 """
 
 from __future__ import annotations
@@ -96,7 +97,7 @@ def _build_guided_head(dialect: Dialect, start: SafeStart, over_by_tip: bool) ->
     if not head:
         return head
     early = () if start.retract == BY_CLEARANCE else retract
-    head = _before_tool(head, ("{guide_off}", *early))
+    head = _before_tool(head, (*_first_retract(dialect, early), "{guide_off}", *early))
     at = head.index("{guide}")
     offset = () if "{offset}" in head[:at] else ("{offset}",)
     before = (*offset, *(retract if start.retract == BY_CLEARANCE else ()), _rapid(dialect, "rotaries"))
@@ -107,8 +108,14 @@ def _build_guided_head(dialect: Dialect, start: SafeStart, over_by_tip: bool) ->
 
 
 def _build_guided_tail(dialect: Dialect, start: SafeStart) -> tuple[str, ...]:
-    at = dialect.guided_tail.index("{guide}") + 1 if dialect.guided_tail else 0
-    return (*dialect.guided_tail[:at], *_retract(dialect, start), *dialect.guided_tail[at:])
+    tail, retract = dialect.guided_tail, _retract(dialect, start)
+    at = tail.index("{guide}") if tail else 0
+    return (*tail[:at], *_first_retract(dialect, retract), *tail[at : at + 1], *retract, *tail[at + 1 :])
+
+
+def _first_retract(dialect: Dialect, lines: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the lines of the retract where it comes before the guide is switched off, too."""
+    return lines if any(guide.retract_first for guide in dialect.guides.values()) else ()
 
 
 def start_words(program: Program, dialect: Dialect, height: float) -> dict[str, str]:

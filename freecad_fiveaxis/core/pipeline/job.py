@@ -410,5 +410,6 @@ def figures(result: Result) -> Figures:
         rapids=rapids_of(draft.settings, draft.machine, draft.dialect),
         table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft,
             MilledProgram) else None,
-        fixtures=tuple(one.name for one in draft.fixtures), assumed=draft.assumed,
+        fixtures=tuple(one.name for one in draft.fixtures),
+        above=draft.plane.above if isinstance(draft, PostedProgram) else None, assumed=draft.assumed,
     )  # fmt: skip

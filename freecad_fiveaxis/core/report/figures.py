@@ -37,6 +37,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Sentence
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
+from freecad_fiveaxis.core.gouge.above_bodies import AbovePlane
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.deviation import Deviation
@@ -73,7 +74,8 @@ class Figures:
     controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
-    against; ``assumed``: what the NC text does not say and is taken for granted.
+    against; ``above``: the plane on which the program begins and ends, None where it is not proven to be
+    above the machine's bodies; ``assumed``: what the NC text does not say and is taken for granted.
     """
 
     title: str
@@ -100,6 +102,7 @@ class Figures:
     rapids: str = ""
     table: float | None = None
     fixtures: tuple[str, ...] = ()
+    above: AbovePlane | None = None
     assumed: tuple[Sentence, ...] = ()
 
     @property
