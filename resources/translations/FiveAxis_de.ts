@@ -5132,6 +5132,10 @@
         <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder einen kleineren Halter nehmen.</translation>
     </message>
     <message>
+        <source>Passes are only {step} apart, because the cutter touches with its edge where the surface is aslant to its axis; a ball of its diameter would take {ball}. Use a ball or a bull nose cutter, or a tool axis that follows the surface.</source>
+        <translation>Die Bahnen liegen nur {step} auseinander, weil der Fräser mit seiner Kante berührt, wo die Fläche schräg zu seiner Achse liegt; eine Kugel seines Durchmessers käme mit {ball} aus. Einen Kugel- oder Torusfräser nehmen oder eine Werkzeugachse, die der Fläche folgt.</translation>
+    </message>
+    <message>
         <source>Passes are {stepover} apart and the cutter is {width} wide: strips between them stay uncut. Give a smaller {option}, or the {scallop} that may stay.</source>
         <translation>Die Bahnen liegen {stepover} auseinander, der Fräser ist {width} breit: Die Streifen dazwischen bleiben stehen. Mit {option} einen kleineren Abstand angeben oder mit {scallop}, wie viel stehen bleiben darf.</translation>
     </message>
@@ -7530,6 +7534,10 @@
     <message>
         <source>passes are farther apart than the cutter is wide</source>
         <translation>die Bahnen liegen weiter auseinander, als der Fräser breit ist</translation>
+    </message>
+    <message>
+        <source>passes are near to each other, for the cutter stands aslant</source>
+        <translation>Bahnen liegen eng beieinander, weil der Fräser schräg steht</translation>
     </message>
     <message>
         <source>passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or a curve on it</source>
