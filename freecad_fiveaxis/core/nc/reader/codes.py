@@ -219,6 +219,8 @@ _SIEMENS_OWN = {
     6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
 }  # fmt: skip
+FEED_GROUPS = tuple(range(90000, 95000, 10))
+"""Private codes, G9000 to G9499: over which axes F is measured (:mod:`.feed_groups`)."""
 WITHOUT_OFFSET = 5000
 """G500 of Siemens: no settable zero offset is on."""
 POLES = (1100, 1110, 1120)
@@ -228,7 +230,9 @@ SIEMENS = Grammar(
     "siemens",
     {700: 1, 7000: 1, 710: 0, 7100: 0},
     say("neither G70 nor G71 (G700, G710)"),
-    frozenset({*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS} - {490, 434, 435, 2340, 2341, *TILT}),
+    frozenset(
+        {*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS, *FEED_GROUPS} - {490, 434, 435, 2340, 2341, *TILT}
+    ),
     {
         **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
         **dict.fromkeys((530, 740, 750, 1530), HOME),

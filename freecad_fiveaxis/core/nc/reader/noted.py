@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from .codes import DRILL, PLANE, UNKNOWN, Kind
+from .feed_groups import FeedGroups
 from .plane_calls import Tilt
 from .siemens_cycles import Drill
 
@@ -20,11 +21,13 @@ from .siemens_cycles import Drill
 @dataclass
 class Notes:
     """``met``: by kind and name, the offsets in the text where it stands; ``tilts``: the lines that begin or
-    end a tilted plane, in their order; ``drills``: the calls of drilling cycles."""
+    end a tilted plane, in their order; ``drills``: the calls of drilling cycles;
+    ``feeds``: over which axes F is measured."""
 
     met: dict[tuple[Kind, str], list[int]] = field(default_factory=dict)
     tilts: list[Tilt] = field(default_factory=list)
     drills: list[Drill] = field(default_factory=list)
+    feeds: FeedGroups = field(default_factory=FeedGroups)
 
     def tilt(self, tilt: Tilt) -> bytes:
         """Return the private word for such a line."""

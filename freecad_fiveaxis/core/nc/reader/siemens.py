@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 
-from . import codes, corners, siemens_cycles
+from . import codes, corners, feed_groups, siemens_cycles
 from .noted import Notes
 from .plane_calls import cycle800
 from .siemens_cycles import Drill, drill_of
@@ -90,6 +90,8 @@ def plain(text: bytes, notes: Notes) -> bytes:
     """Return the text, in capitals and without comments, as ISO words with the private letters; every line
     stays where it is."""
     text = corners.mark_corners(shifts(without_strings(text)), siemens=True)
+    if b"FG" in text:
+        text = feed_groups.WORD.sub(notes.feeds.word, text)
     text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
         text = _addresses(text, notes)
