@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from . import codes
 from .arcs import Chords
-from .feed_groups import Measure
+from .feed_measure import Measure
 from .feeds import Feeds
 from .lines import last_of
 from .planes import Planes

@@ -7,8 +7,7 @@ FGROUP()        and a program without it: the basic setting, MD22420 as delivere
 FGREF[A]=10     a rotary axis of the group counts by its way at this radius; 360/2pi mm without it: a
                 degree is a millimetre.
 
-Blocks in which no axis of the group moves are measured over all that do, degrees as millimetres. Where rotary
-axes move alone and have no radius, F is in degrees a minute, in a program in inches too.
+What F then measures in each block: :mod:`.feed_measure`.
 """
 
 from __future__ import annotations
@@ -16,16 +15,12 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats
 
-from .codes import FEED_GROUPS, INCH
-
-if TYPE_CHECKING:
-    from .source import Source
+from .codes import FEED_GROUPS
 
 WORD = re.compile(
     rb"(?<![A-Z0-9_$])(?:FGROUP *\(([^()\n]*)\)|"
@@ -70,37 +65,3 @@ class FeedGroups:
             self.met.append(self.now)
         at = self.met.index(self.now) if self.now in self.met else 0
         return (b"G%d" % (FEED_GROUPS[at] // 10)).ljust(len(found[0]))
-
-
-@dataclass(frozen=True, eq=False)
-class Measure:
-    """Over what F is measured in each block: ``groups``; ``which`` (n,) of them; ``inch`` (n,): radii are in
-    inches; ``letters`` of the machine."""
-
-    groups: tuple[FeedGroup, ...]
-    which: Ints
-    inch: Bools
-    letters: str
-
-    def distance(self, change: Floats) -> Floats:
-        """Return what F measures, mm, for ``change`` (n, 5) of the words, mm and degrees."""
-        unit = np.where(self.inch, INCH, 1.0)[:, None]
-        table = np.array([group.weights(self.letters) for group in self.groups])
-        radii = np.array([[letter in dict(group.radii) for letter in self.letters] for group in self.groups])
-        weight = table[self.which] * np.where(radii[self.which], unit, 1.0)
-        square = ((change * weight) ** 2).sum(axis=1)
-        rows = np.flatnonzero(square == 0.0)
-        square[rows] = (change[rows] ** 2).sum(axis=1)
-        degrees = ~(change[:, :3].any(axis=1) | radii[self.which].any(axis=1))
-        return np.asarray(np.sqrt(square) * np.where(degrees, unit[:, 0], 1.0))
-
-
-def find_measure(source: Source, at: Ints, letters: str) -> Measure | None:
-    """Return over what F is measured in the blocks of the lines ``at`` (n,); None in other languages, where
-    the controller says it."""
-    if source.grammar.name != "siemens":
-        return None
-    lines, groups = source.lines, source.lines.words.groups
-    codes = FEED_GROUPS[: len(groups)]
-    which = lines.mode({code: k for k, code in enumerate(codes)}, 0)[at]
-    return Measure(groups, which, lines.inch(source.grammar)[at], letters)

@@ -24,6 +24,10 @@ NO_INVERSE_FEED = Template(
 )
 
 
+NOT_KNOWN = -1.0
+"""The F of a feed that only a Heidenhain control knows; a finding of the text's words has said so."""
+
+
 class Feeds(NamedTuple):
     """One row a motion line, (m,): ``feed`` in force, mm/min, mm a turn or 1/min; whether it is of
     ``inverse`` time, and ``per_turn``."""
@@ -38,6 +42,7 @@ def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
     lines, at, feeding = source.lines, motions.at, motions.mode != codes.RAPID
     mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.inch(source.grammar), lines.column("F")
     given = np.flatnonzero(~np.isnan(column))
+    as_written = column.copy()
     column[given] *= np.where(inch[given] & (mode[given] != codes.INVERSE), INCH, 1.0)
     last = last_of(given, lines.count)
     changed = last_of(np.flatnonzero(np.diff(mode, prepend=mode[:1])), lines.count)
@@ -45,8 +50,9 @@ def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
     feed = np.where(valid[at] & feeding, column[last[at]], 0.0)
     inverse: Bools = mode[at] == codes.INVERSE
     own = last[at] == at
+    hidden = (source.grammar.name == "heidenhain") & valid[at] & (as_written[last[at]] == NOT_KNOWN)
     cases = (
-        (feeding & ~(feed > 0.0), Code.NO_FEED, NO_FEED),
+        (feeding & ~(feed > 0.0) & ~hidden, Code.NO_FEED, NO_FEED),
         (feeding & inverse & ~own & (feed > 0.0), Code.INVERSE_FEED_MISSING, NO_INVERSE_FEED),
     )
     found = [

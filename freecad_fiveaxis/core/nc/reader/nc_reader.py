@@ -31,7 +31,7 @@ from .blocks import build_program, divide_blocks
 from .causes import fold
 from .chords import divide_moves
 from .contour_angles import apply_angles
-from .feed_groups import find_measure
+from .feed_measure import find_measure
 from .feeds import find_feeds
 from .findings import (
     code_findings,
