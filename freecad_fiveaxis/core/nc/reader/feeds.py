@@ -18,9 +18,15 @@ from .lines import last_of
 from .positions import Moves
 from .source import Source
 
-NO_FEED = Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F.")
-NO_INVERSE_FEED = Template(
-    "{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block."
+NO_FEED = (
+    Template("1 block has no F above 0 in force; most controllers stop there. Give F."),
+    Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F."),
+)
+NO_INVERSE_FEED = (
+    Template("1 block under G93 has no F of its own; most controllers stop there. Give F in every block."),
+    Template(
+        "{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block."
+    ),
 )
 
 
@@ -57,9 +63,12 @@ def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
     )
     found = [
         report_finding(
-            code, text.say(count=int(rows.sum())), block=int(rows.argmax()), line=int(at[rows.argmax()])
+            code,
+            texts[int(rows.sum() > 1)].say(count=int(rows.sum())),
+            block=int(rows.argmax()),
+            line=int(at[rows.argmax()]),
         )
-        for rows, code, text in cases
+        for rows, code, texts in cases
         if rows.any()
     ]
     return Feeds(np.where(feed > 0.0, feed, 0.0), inverse, mode[at] == codes.PER_TURN), found

@@ -154,10 +154,12 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
                     int(count),
                 )
             elif letter == "G" and int(value) not in grammar.harmless:
-                text = say(
+                text = plural(
+                    count,
+                    "{name} in NC line {line} is not known and not interpreted; its effect is missing here.",
                     "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
                     name=name,
-                    count=count,
+                    line=int(words.in_file(words.line[at[first]])),
                 )
                 found.append(report_finding(Code.UNKNOWN_CODE, text, float(count), line=line))
         known += [one for kind, named in met.items() for one in kind_findings(kind, named)]

@@ -10,7 +10,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Ints
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import plural, say
 
 from .codes import DRILL, PLANE, UNKNOWN, Kind
 from .feed_groups import FeedGroups
@@ -73,8 +73,13 @@ def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Find
         )
         return [report_finding(code, text, float(count), line=first)]
     for name, (line, count) in [*named.items()][:MOST]:
-        text = say(
-            "{name} stands in {count} lines: {explanation}.", name=name, count=count, explanation=explanation
+        text = plural(
+            count,
+            "{name} stands in NC line {line}: {explanation}.",
+            "{name} stands in {count} lines: {explanation}.",
+            name=name,
+            line=line,
+            explanation=explanation,
         )
         found.append(report_finding(code, text, float(count), line=line))
     return found
