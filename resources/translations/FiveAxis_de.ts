@@ -2391,6 +2391,10 @@
         <translation>LinuxCNCs .ini, eine .urdf oder eine .fcm des Maschineneditors von FreeCAD</translation>
     </message>
     <message>
+        <source>Looks down</source>
+        <translation>Zeigt nach unten</translation>
+    </message>
+    <message>
         <source>Low end</source>
         <translation>Unteres Ende</translation>
     </message>
@@ -4800,6 +4804,10 @@
         <translation>GODLTA steht vor dem ersten GOTO: der Ausgangspunkt ist nicht bekannt</translation>
     </message>
     <message>
+        <source>Give safe_start of the machine file a higher Z.</source>
+        <translation>Geben Sie safe_start in der Maschinendatei ein höheres Z.</translation>
+    </message>
+    <message>
         <source>Give {options}.</source>
         <translation>Geben Sie {options} an.</translation>
     </message>
@@ -4844,12 +4852,12 @@
         <translation>In {count} NC-Sätzen läge F unter einem Schritt; sie laufen schneller als programmiert. G93 verwenden.</translation>
     </message>
     <message>
-        <source>In {count} blocks F would exceed the controller's largest; they run slower than programmed.</source>
-        <translation>In {count} NC-Sätzen läge F über dem größten der Steuerung; sie laufen langsamer als programmiert.</translation>
+        <source>In {count} blocks F would exceed the controller's largest; they run slower than programmed, half of them at less than {feed}. Use G94, or give a lower feed.</source>
+        <translation>In {count} Blöcken würde F das größte der Steuerung überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. G94 verwenden oder einen kleineren Vorschub angeben.</translation>
     </message>
     <message>
-        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.</source>
-        <translation>In {count} NC-Sätzen müsste eine Achse schneller als möglich laufen; sie laufen langsamer als programmiert.</translation>
+        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed, half of them at less than {feed}. For an even feed give a lower one, or set the part nearer to the rotary axes.</source>
+        <translation>In {count} Blöcken würde eine Achse ihre höchste Geschwindigkeit überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. Für einen gleichmäßigen Vorschub einen kleineren angeben oder das Teil näher an die Drehachsen setzen.</translation>
     </message>
     <message>
         <source>In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one group of axes after the other, or place the part otherwise on the table.</source>
@@ -5384,6 +5392,10 @@
         <translation>Die jetzige Aufspannung ist so gut wie jede des Bereichs: größte Abweichung {deviation}.</translation>
     </message>
     <message>
+        <source>The program begins and ends at Z {height}. Only from Z {need} on are tool and spindle above what the axes carry, wherever these stand before: {names}.</source>
+        <translation>Das Programm beginnt und endet auf Z {height}. Erst ab Z {need} sind Werkzeug und Spindel über dem, was die Achsen tragen, wo immer diese vorher stehen: {names}.</translation>
+    </message>
+    <message>
         <source>The program counts {name} from {value} (within {certainty}), not from the CL path's zero. A machine file cannot hold that: correct {what}, or the post.</source>
         <translation>Das Programm zählt {name} von {value} (auf {certainty} genau), nicht vom Nullpunkt des CL-Wegs. Eine Maschinendatei kann das nicht festhalten: {what} oder den Postprozessor berichtigen.</translation>
     </message>
@@ -5664,6 +5676,10 @@
         <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
     </message>
     <message>
+        <source>Where Z comes down to the first block, or rises from the last one:</source>
+        <translation>Wo Z zum ersten Satz hinabfährt oder vom letzten aus steigt:</translation>
+    </message>
+    <message>
         <source>Where holder or machine are in the way, no tool that sticks out up to 80 mm farther helps.</source>
         <translation>Wo Halter oder Maschine im Weg sind, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
     </message>
@@ -5738,6 +5754,10 @@
     <message>
         <source>X{x} Y{y} Z{z}</source>
         <translation>X{x} Y{y} Z{z}</translation>
+    </message>
+    <message>
+        <source>Z goes no higher: before the start stand the rotary axes by hand where the first block wants them, use a shorter tool, or narrow the rotary limits in the machine file to what is really used.</source>
+        <translation>Höher fährt Z nicht: Stellen Sie vor dem Start die Drehachsen von Hand dorthin, wo der erste Satz sie braucht, nehmen Sie ein kürzeres Werkzeug, oder begrenzen Sie die Drehachsen in der Maschinendatei auf das, was wirklich benutzt wird.</translation>
     </message>
     <message>
         <source>Z of this machine does not lift the tool: give its file another safe_start than clearance</source>
@@ -6468,6 +6488,10 @@
         <translation>Facetten sind steiler als der größte Achswinkel</translation>
     </message>
     <message>
+        <source>facets lie inside another solid of the part</source>
+        <translation>Facetten liegen in einem anderen Volumenkörper des Teils</translation>
+    </message>
+    <message>
         <source>facets lie nearer to faces to avoid than the allowance</source>
         <translation>Facetten liegen den zu meidenden Flächen näher als das Aufmaß</translation>
     </message>
@@ -6478,6 +6502,10 @@
     <message>
         <source>facets outside the boundary are left out</source>
         <translation>Facetten außerhalb der Begrenzung sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>facets that faced the other way than their neighbours were turned</source>
+        <translation>Facetten, die zur anderen Seite als ihre Nachbarn zeigten, wurden umgedreht</translation>
     </message>
     <message>
         <source>facets that no allowed tool axis reaches from above, or that the part stands on</source>
@@ -6546,6 +6574,14 @@
     <message>
         <source>from line {line} on the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI or FUNCTION TCPM): X Y Z are tips and say nothing of pivots; post it again without tool centre point control</source>
         <translation>ab Zeile {line} führt die Steuerung die Spitze (G43.4, G43.5, G234, M128, M428, TRAORI oder FUNCTION TCPM): X Y Z sind Orte der Spitze und sagen nichts über Drehpunkte; ohne Werkzeugspitzenführung noch einmal ausgeben</translation>
+    </message>
+    <message>
+        <source>from the first block to the last those of the machine's bodies that move against each other stay out of each other, and out of part and fixtures as far as these are known, but for neighbours that touch with all axes at zero: {names}</source>
+        <translation>vom ersten bis zum letzten Satz bleiben die Körper der Maschine, die sich gegeneinander bewegen, einander fern, ebenso Werkstück und Spannmitteln, soweit diese bekannt sind, außer Nachbarn, die sich berühren, wenn alle Achsen auf null stehen: {names}</translation>
+    </message>
+    <message>
+        <source>from the first block to the last tool and spindle, as far as they are given, stay out of the machine's bodies: {names}</source>
+        <translation>vom ersten bis zum letzten Satz bleiben Werkzeug und Spindel, soweit angegeben, außerhalb der Körper der Maschine: {names}</translation>
     </message>
     <message>
         <source>from the front</source>
@@ -6626,6 +6662,10 @@
     <message>
         <source>how much stays is not known from the passes alone, but told by the map of what is left where that is asked for ({left})</source>
         <translation>wie viel stehen bleibt, ist aus den Bahnen allein nicht bekannt; die Karte des Restmaterials sagt es, wo sie verlangt ist ({left})</translation>
+    </message>
+    <message>
+        <source>how the axes come to the first block, and where they go behind the last: where they stand before the program is not known, so nothing was looked at there</source>
+        <translation>wie die Achsen zum ersten Satz kommen und wohin sie nach dem letzten fahren: Wo sie vor dem Programm stehen, ist nicht bekannt, also wurde dort nichts geprüft</translation>
     </message>
     <message>
         <source>in a feed block all axes run in proportion to each other</source>
@@ -7392,10 +7432,6 @@
         <translation>nichts, was bearbeitet werden soll, ist von der Achse der Bahnen abgewandt; geben Sie die Achse an, um die das Werkstück gedreht wird</translation>
     </message>
     <message>
-        <source>of the machine's bodies those that move against each other stay out of each other, and out of part and fixtures as far as these are known, but for neighbours that touch with all axes at zero: {names}</source>
-        <translation>von den Körpern der Maschine bleiben die, die sich gegeneinander bewegen, auseinander und aus Werkstück und Spannmitteln, soweit diese bekannt sind; außer Nachbarn, die einander berühren, wenn alle Achsen auf null stehen: {names}</translation>
-    </message>
-    <message>
         <source>of what stays a fixture keeps the tool off so much</source>
         <translation>von dem, was stehen bleibt, hält ein Spannmittel das Werkzeug von so viel ab</translation>
     </message>
@@ -7470,6 +7506,10 @@
     <message>
         <source>part</source>
         <translation>Werkstück</translation>
+    </message>
+    <message>
+        <source>part and fixtures</source>
+        <translation>Werkstück und Spannmittel</translation>
     </message>
     <message>
         <source>part {file} cannot be meshed: {reason}</source>
@@ -8084,6 +8124,10 @@
         <translation>der Name ist leer; der Maschine einen geben</translation>
     </message>
     <message>
+        <source>the open surface looks down, so that its underside is machined</source>
+        <translation>die offene Fläche zeigt nach unten, sodass ihre Unterseite bearbeitet wird</translation>
+    </message>
+    <message>
         <source>the part</source>
         <translation>das Teil</translation>
     </message>
@@ -8126,6 +8170,10 @@
     <message>
         <source>the program begins and ends at the reference point of Z</source>
         <translation>das Programm beginnt und endet am Referenzpunkt von Z</translation>
+    </message>
+    <message>
+        <source>the program begins and ends below what the axes carry</source>
+        <translation>das Programm beginnt und endet tiefer als das, was die Achsen tragen</translation>
     </message>
     <message>
         <source>the program has no block that moves; there is nothing to play</source>
@@ -8556,10 +8604,6 @@
         <translation>Werkzeug</translation>
     </message>
     <message>
-        <source>tool and spindle, as far as they are given, stay out of the machine's bodies: {names}</source>
-        <translation>Werkzeug und Spindel, soweit angegeben, bleiben aus den Körpern der Maschine draußen: {names}</translation>
-    </message>
-    <message>
         <source>tool axes are told by vectors in it</source>
         <translation>in ihr stehen Werkzeugachsen als Vektoren</translation>
     </message>
@@ -8720,12 +8764,24 @@
         <translation>wo er beginnt, ist nicht bekannt: X, Y und Z sind nicht alle genannt, seit die geschwenkte Ebene begann oder endete</translation>
     </message>
     <message>
+        <source>where the axes stand before the program: the way of Z up to {height}, and the machine's bodies against each other while the axes go to the first block</source>
+        <translation>wo die Achsen vor dem Programm stehen: der Weg von Z hinauf auf {height}, und die Körper der Maschine gegeneinander, während die Achsen zum ersten Satz fahren</translation>
+    </message>
+    <message>
         <source>where the controller guides the tip it turns the rotary axes evenly: so were tool, spindle and the machine's bodies looked at between the blocks' ends</source>
         <translation>wo die Steuerung die Spitze führt, dreht sie die Drehachsen gleichmäßig: so wurden Werkzeug, Spindel und die Körper der Maschine zwischen den Satzenden angesehen</translation>
     </message>
     <message>
+        <source>where the program begins and ends, at Z {height}, tool and spindle are above part, fixtures and the machine's bodies, wherever the other axes stand, and from there Z comes down clear to the first block and rises clear from the last</source>
+        <translation>wo das Programm beginnt und endet, auf Z {height}, sind Werkzeug und Spindel über Werkstück, Spannmitteln und den Körpern der Maschine, wo immer die anderen Achsen stehen, und von dort fährt Z frei zum ersten Satz hinab und steigt frei vom letzten</translation>
+    </message>
+    <message>
         <source>where the table is, is not known</source>
         <translation>wo der Tisch ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>whether tool and spindle meet {names} on the way to the first block: Z cannot go above them</source>
+        <translation>ob Werkzeug und Spindel auf dem Weg zum ersten Satz auf {names} treffen: Z kann nicht darüber fahren</translation>
     </message>
     <message>
         <source>which kinematics a number switches to, as LinuxCNC counts</source>
@@ -8794,6 +8850,10 @@
     <message>
         <source>{all} jobs: {well} without errors, {errors} with errors, {failed} failed</source>
         <translation>{all} Aufträge: {well} ohne Fehler, {errors} mit Fehlern, {failed} gescheitert</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % of the mesh) at {place} lie inside another solid of the part and are not machined. Unite the solids in CAD, so that passes end at the seam.</source>
+        <translation>{area} ({share} % des Netzes) bei {place} liegen in einem anderen Volumenkörper des Teils und werden nicht bearbeitet. Die Volumenkörper im CAD vereinigen, damit Bahnen an der Naht enden.</translation>
     </message>
     <message>
         <source>{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.</source>
@@ -8996,6 +9056,10 @@
         <translation>{count} Facetten ohne Fläche sind ausgelassen, die erste bei {at}; Bahnen enden, wo dadurch ein Riss bleibt.</translation>
     </message>
     <message>
+        <source>{count} facets, the first at {at}, faced the other way than their neighbours and were turned round.</source>
+        <translation>{count} Facetten, die erste bei {at}, zeigten zur anderen Seite als ihre Nachbarn und wurden umgedreht.</translation>
+    </message>
+    <message>
         <source>{count} feed blocks</source>
         <translation>{count} Vorschubsätzen</translation>
     </message>
@@ -9194,6 +9258,10 @@
     <message>
         <source>{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that meet there.</source>
         <translation>{edges} Kanten haben mehr als zwei Facetten, die erste bei {at}; Bahnen enden dort. Die Körper, die sich dort treffen, trennen oder vereinigen.</translation>
+    </message>
+    <message>
+        <source>{edges} edges have one facet only, the first at {at}: the facets hang together nearly nowhere, and passes end at each of them. Export the mesh again with common corners, or repair it (in FreeCAD: Evaluate and repair mesh, Duplicated points).</source>
+        <translation>{edges} Kanten haben nur eine Facette, die erste bei {at}: Die Facetten hängen fast nirgends zusammen, und Bahnen enden an jeder von ihnen. Das Netz noch einmal mit gemeinsamen Ecken exportieren oder reparieren (in FreeCAD: Netz auswerten und reparieren, doppelte Punkte).</translation>
     </message>
     <message>
         <source>{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the facet normals.</source>
@@ -10046,6 +10114,10 @@
     <message>
         <source>{share} % of the surface to be milled stays unfinished</source>
         <translation>{share} % der zu fräsenden Fläche bleiben unbearbeitet</translation>
+    </message>
+    <message>
+        <source>{share} % of this open surface ({area}) look down, so its underside is machined. If its upper side is meant, turn its normals round (in FreeCAD: Flip normals of a mesh, Reverse shapes of a face).</source>
+        <translation>{share} % dieser offenen Fläche ({area}) zeigen nach unten, also wird ihre Unterseite bearbeitet. Ist die Oberseite gemeint, die Normalen umdrehen (in FreeCAD: Normalen umkehren bei einem Netz, Formen umkehren bei einer Fläche).</translation>
     </message>
     <message>
         <source>{share} % the settings leave out</source>

@@ -254,6 +254,8 @@ def test_held_back_blocks_are_counted_in_a_note() -> None:
     note = next(found for found in program.findings if found.code == "feed-held-back")
     assert 0 < count < 299 and note.value == pytest.approx(count, abs=1) and note.severity is Severity.NOTE
     assert note.block == int((least > wanted).argmax()) + 1 and note.line == program.line[note.block]
+    real = np.median((np.array(travel) / least)[least > wanted * (1 + feeds.TRAVEL_ERROR)])
+    assert 0.0 < real < 1000.0 and f"half of them at less than {real:.3g} mm/min" in note.text
 
 
 def test_a_rapid_takes_the_time_of_its_slowest_axis() -> None:
@@ -288,6 +290,8 @@ def test_an_f_beyond_the_controllers_largest_is_cut_with_a_note() -> None:
     program = build_program(joints_of(q, kinematics), kinematics, fanuc, True)
     assert program.feed[1] == fanuc.largest_inverse
     assert [found.code for found in program.findings] == ["feed-above-largest"]
+    real = 0.001 * fanuc.largest_inverse
+    assert f"half of them at less than {real:.3g} mm/min" in program.findings[0].text
 
 
 def test_fanucs_own_example_of_a_combined_feed() -> None:

@@ -245,6 +245,14 @@ def test_facets_of_cylinder_and_sphere_have_their_curvature(radius):
             assert np.median(along[inner]) * radius == pytest.approx(expected, abs=0.02)
 
 
+def test_facets_that_hang_together_nowhere_are_flat():
+    """Sums over no co-edge at all are whole numbers in numpy, and an area below 1 mm2 would be none."""
+    loose = box(size=(0.9, 0.8, 0.7))
+    apart = from_faces(loose.vertex[loose.face].reshape(-1, 3), np.arange(3 * len(loose.face)).reshape(-1, 3))
+    tensor = facet_curvature(apart)
+    assert tensor.shape == (6, len(apart.face)) and (tensor == 0.0).all()
+
+
 def test_a_sharp_edge_bends_no_surface():
     assert not facet_curvature(box()).any()
 

@@ -249,9 +249,36 @@ def test_corners_a_rounding_apart_are_joined_and_counted(read, turn):
 
 
 def test_corners_farther_apart_stay_and_are_named(read):
-    loose = sheet(4, 3) + np.random.default_rng(3).uniform(-1e-3, 1e-3, (24, 3, 3))
+    loose = sheet(4, 3) + np.random.default_rng(3).uniform(-1e-2, 1e-2, (24, 3, 3))
     mesh = read("\n".join(ascii_lines(loose)).encode())
     assert len(mesh.vertex) == 72 and value(mesh, "open-shell") == 72
+
+
+@pytest.mark.parametrize(
+    ("side", "apart"), [(1.0, 2e-4), (0.1, 8e-6), (0.1, 2e-4), (40.0, 2e-4), (2000.0, 1e-4)]
+)
+def test_corners_that_a_writer_rounded_are_joined_however_small_the_facets(read, side, apart):
+    """8e-6 mm is what 32 bits keep of 100 mm: a hundredth of a percent of a facet's side of 0.1 mm."""
+    loose = side * sheet(4, 3) + np.random.default_rng(3).uniform(-apart, apart, (24, 3, 3))
+    mesh = read("\n".join(ascii_lines(loose)).encode())
+    assert len(mesh.vertex) == 20 and value(mesh, "open-shell") == 14, "as if they had been equal"
+
+
+@pytest.mark.parametrize(("side", "apart"), [(40.0, 0.003), (0.1, 0.0013)])
+def test_a_gap_that_is_no_rounding_stays_open(read, side, apart):
+    one = side * sheet(3, 3)
+    mesh = read("\n".join(ascii_lines(np.concatenate([one, one + [0.0, 3.0 * side + apart, 0.0]]))).encode())
+    assert not value(mesh, "corners-joined") and value(mesh, "open-shell") == 24
+
+
+def test_of_a_mesh_that_hangs_together_nowhere_it_is_said_how_to_repair_it(read):
+    loose = sheet(4, 3) + 0.1 * np.random.default_rng(3).uniform(-1.0, 1.0, (24, 3, 3))
+    torn = [one for one in read("\n".join(ascii_lines(loose)).encode()).findings if one.code == "open-shell"]
+    assert len(torn) == 1 and "hang together nearly nowhere" in torn[0].text and torn[0].value == 72
+    whole = [
+        one for one in read("\n".join(ascii_lines(sheet(4, 3))).encode()).findings if one.code == "open-shell"
+    ]
+    assert "Close the shell" in whole[0].text and whole[0].value == 14
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.6])
@@ -291,6 +318,38 @@ def test_a_third_facet_at_an_edge_is_not_joined_with_it(read):
     fin = np.array([[[1.0, 1.0 + 1e-7, 0.0], [2.0, 1.0 + 1e-7, 0.0], [1.5, 1.0, 1.0]]])
     mesh = read("\n".join(ascii_lines(np.concatenate([sheet(3, 2), fin]))).encode())
     assert not value(mesh, "corners-joined") and not value(mesh, "non-manifold-edges")
+
+
+@pytest.mark.parametrize("wrong", [[3], [0, 5, 7], [1, 2, 3, 4, 8, 9, 10, 11]])
+def test_facets_that_face_the_other_way_are_turned(read, wrong):
+    corners = box()
+    corners[wrong] = corners[wrong, ::-1]
+    mesh, whole = read("\n".join(ascii_lines(corners)).encode()), from_triangles(box())
+    turned = min(len(wrong), 12 - len(wrong))  # where most were wrong the rest is turned, and then all
+    assert value(mesh, "facets-turned") == turned and not value(mesh, "inconsistent-winding")
+    assert not value(mesh, "open-shell") and (mesh.coedge_face >= 0).all()
+    inward = (mesh.normal * (mesh.vertex[mesh.face].mean(axis=1) - whole.vertex.mean(axis=0))).sum(axis=1)
+    assert (inward > 0.0).all() and len(mesh.face) == 12
+
+
+def test_of_an_open_sheet_the_smaller_part_is_turned(read):
+    corners = sheet(4, 3)
+    corners[:5] = corners[:5, ::-1]
+    mesh = read("\n".join(ascii_lines(corners)).encode())
+    assert value(mesh, "facets-turned") == 5 and (mesh.normal[:, 2] > 0.999).all()
+
+
+def test_a_strip_with_one_side_only_stays_as_it_is(read):
+    t = np.linspace(0.0, 2.0 * np.pi, 13)
+    out, up = np.stack([np.cos(t), np.sin(t), 0.0 * t], axis=1), np.array([0.0, 0.0, 1.0])
+    way = 0.3 * (np.cos(t / 2.0)[:, None] * out + np.sin(t / 2.0)[:, None] * up)
+    a, b = 2.0 * out + way, 2.0 * out - way
+    a[-1], b[-1] = b[0], a[0]
+    strip = np.concatenate(
+        [np.stack([a[:-1], b[:-1], b[1:]], axis=1), np.stack([a[:-1], b[1:], a[1:]], axis=1)]
+    )
+    mesh = read("\n".join(ascii_lines(strip)).encode())
+    assert not value(mesh, "facets-turned") and value(mesh, "inconsistent-winding") == 1
 
 
 def test_a_clean_mesh_is_the_very_same_object():

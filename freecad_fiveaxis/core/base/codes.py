@@ -47,6 +47,12 @@ class Code(str, Enum):
     CORNERS_JOINED = "corners-joined", NOTE, "1", "corners that lie next to each other were joined"
     DEGENERATE_FACETS = "degenerate-facets", NOTE, "1", "facets without an area were dropped"
     DOUBLED_FACETS = "doubled-facets", NOTE, "1", "facets that were there twice; one of each was kept"
+    FACETS_TURNED = (
+        "facets-turned",
+        NOTE,
+        "1",
+        "facets that faced the other way than their neighbours were turned",
+    )
     INCONSISTENT_WINDING = (
         "inconsistent-winding",
         WARNING,
@@ -96,6 +102,13 @@ class Code(str, Enum):
         NOTE,
         "mm2",
         "facets that no allowed tool axis reaches from above, or that the part stands on",
+    )
+    FACETS_INSIDE = "facets-inside", NOTE, "mm2", "facets lie inside another solid of the part"
+    SURFACE_LOOKS_DOWN = (
+        "surface-looks-down",
+        WARNING,
+        "mm2",
+        "the open surface looks down, so that its underside is machined",
     )
     FACETS_NEAR_AVOIDED = (
         "facets-near-avoided",
@@ -266,6 +279,12 @@ class Code(str, Enum):
         WARNING,
         "mm",
         "the safe height lies beyond the limits",
+    )
+    START_BELOW_BODIES = (
+        "start-below-bodies",
+        WARNING,
+        "mm",
+        "the program begins and ends below what the axes carry",
     )
     SPINDLE_OFF = "spindle-off", WARNING, "", "the spindle stays off"
     START_THROUGH_PART = (

@@ -2,7 +2,7 @@
 """Cutter, shank and holder against the whole part, along the way that they really go."""
 
 from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_program, program_motion
-from .inside import inside, is_closed
+from .inside import count_solids, inside, is_closed
 from .known_depths import Entries
 from .outline import Outline, outline
 from .rapid_ways import WayEntries
@@ -24,6 +24,7 @@ __all__ = [
     "WayEntries",
     "check_motion",
     "check_program",
+    "count_solids",
     "find_entries",
     "find_rest_material",
     "inside",

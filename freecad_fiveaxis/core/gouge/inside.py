@@ -31,8 +31,13 @@ def is_closed(mesh: Mesh) -> bool:
 
 
 def inside(tree: FacetTree, points: Floats) -> Bools:
-    """Which points (n, 3) mm lie inside the closed part: the facets above them, each counted with the sense
-    in which it looks."""
+    """Which points (n, 3) mm lie inside the closed part."""
+    return np.asarray(np.abs(count_solids(tree, points)) > 0.5)
+
+
+def count_solids(tree: FacetTree, points: Floats) -> Floats:
+    """Return in how many solids of the closed part points (n, 3) mm lie (n,): the facets above them, each
+    counted with the sense in which it looks."""
     whole = tree.half[:, 0]
     x, y, z = np.asarray(points, float).T
     x, y = x + 2.0 * ASIDE[0] * whole[0], y + 2.0 * ASIDE[1] * whole[1]
@@ -51,7 +56,7 @@ def inside(tree: FacetTree, points: Floats) -> Bools:
             np.repeat(row, many),
             np.arange(int(many.sum())) + np.repeat(tree.child[node] - head, many),
         )
-    return np.asarray(np.abs(turns) > 0.5)
+    return turns
 
 
 def _above(tree: FacetTree, x: Floats, y: Floats, z: Floats, row: Ints, leaf: Ints) -> Floats:

@@ -94,7 +94,7 @@ def facet_curvature(mesh: Mesh) -> Floats:
 
     Each co-edge turns the surface by its dihedral angle about itself; the tensor is the mean of these turns
     over the facet and its neighbours (Cohen-Steiner & Morvan 2003), exact on average for any tessellation of
-    a sphere or a cylinder. Sharp edges bend no surface and do not count. ProgramDraft once, and kept as long
+    a sphere or a cylinder. Sharp edges bend no surface and do not count. Computed once, and kept as long
     as the mesh is: checks and strategies ask in turn.
     """
     if mesh not in _TENSORS:
@@ -115,7 +115,9 @@ def _mean_turns(mesh: Mesh) -> Floats:
     first, second, turned = _smooth_turns(mesh)
     rows = len(mesh.face)
     columns = np.concatenate([turned, np.zeros((1, len(first)))])
-    total = np.array([np.bincount(first, c, rows) + np.bincount(second, c, rows) for c in columns])
+    total = np.array(
+        [np.bincount(first, c, rows) + np.bincount(second, c, rows) for c in columns], np.float64
+    )
     total[6] = mesh.area
     own = total.copy()
     for sums, values in zip(total, own, strict=True):

@@ -17,7 +17,8 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 from .context import JobContext, MillContext
 from .options import choose_rapid_body, compute_driven_to_surface, nc_title, post_options, tip_to_driven
 from .programs import PostedProgram
-from .safe_start import find_spindle_off, start_findings, start_plane
+from .safe_start import find_spindle_off, start_findings
+from .start_plane import find_start_plane
 
 
 def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath:
@@ -53,16 +54,23 @@ def post_path(
         context.dialect,
     )
     program = build_program(joints, kinematics, dialect, settings.feeds.feed_mode == "g93", context.progress)
-    height, reports = start_plane(context, program)
+    plane = find_start_plane(context, program)
     nc = write_nc(
-        program, dialect, nc_title(settings, machine), post_options(settings), context.progress, height
+        program,
+        dialect,
+        nc_title(settings, machine),
+        post_options(settings),
+        context.progress,
+        plane.z or 0.0,
     )
     findings = (
         found
         + block_findings(joints.findings, program)
         + program.findings
-        + reports
+        + plane.findings
         + start_findings(context, program)
     )
     findings += find_spindle_off(settings)
-    return PostedProgram(settings, machine, kinematics, dialect, program, findings, path, joints, nc)
+    return PostedProgram(
+        settings, machine, kinematics, dialect, program, findings, path, joints, nc, plane=plane
+    )

@@ -3,18 +3,26 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.files import check_readable
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.sentences import join_sentences, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.machine_bodies import spindle_body
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.report.standing_bodies import StandingBody, stand_bodies
 from freecad_fiveaxis.core.tool.body import Body
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .options import rapids_of, resolve_setup, tip_to_driven, tool_body
-from .programs import MilledProgram, ProgramDraft
+from .programs import MilledProgram, PostedProgram, ProgramDraft
 from .settings import AUDIT, Settings, is_part
 from .settings.tree import without_part
 
@@ -62,4 +70,33 @@ def look_in_machine(draft: ProgramDraft, against: object, progress: Progress) ->
         machine, setup, draft.kinematics, tool_body(settings), length, tip_to_driven(settings),
         rapids_of(settings, machine, draft.dialect), settings.gouge.fixture_clearance, draft.fixtures,
     )  # fmt: skip
-    return check_machine(given, draft.program, part, settings.proof.tolerance, progress)
+    tolerance = settings.proof.tolerance
+    found = check_machine(given, draft.program, part, tolerance, progress)
+    if isinstance(draft, PostedProgram) and machine.bodies and draft.plane.z is not None:
+        found += _look_at_ends(given, draft.program, draft.plane.z, part, tolerance)
+    return found
+
+
+def _look_at_ends(
+    given: InMachine, program: Program, plane: float, part: Mesh | None, tolerance: float
+) -> tuple[Finding, ...]:
+    """Find what is hit where Z alone comes down from the plane to the first block, and rises to it from the
+    last one: lines of the NC file, but no blocks."""
+    rows = np.array([0, 0, -1, -1])
+    words = program.words[rows]
+    words[[0, 3], 2] = plane
+    ends = Program(
+        program.letters, words, np.zeros(4), np.zeros(4, np.bool_), np.full(4, Motion.RAPID, np.int8),
+        np.zeros(4), program.row[rows], program.line[rows], unknown_way=np.array([True, False, True, False]),
+    )  # fmt: skip
+    lead = say("Where Z comes down to the first block, or rises from the last one:")
+    return tuple(
+        replace(one, text=join_sentences((lead, one.text)), block=_end_of(one, program), hit=None)
+        for one in check_machine(given, ends, part, tolerance)
+        if one.code in (Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN) and one.block is not None
+    )
+
+
+def _end_of(found: Finding, program: Program) -> int:
+    """Return the block of the program, its first or last, at which something is hit."""
+    return 0 if found.block == 1 else len(program.words) - 1

@@ -405,4 +405,5 @@ def figures(result: Result) -> Figures:
         table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft,
             MilledProgram) else None,
         fixtures=tuple(one.name for one in draft.fixtures),
+        above=draft.plane.above if isinstance(draft, PostedProgram) else None,
     )  # fmt: skip

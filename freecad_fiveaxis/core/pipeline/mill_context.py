@@ -29,6 +29,7 @@ from freecad_fiveaxis.core.passes import (
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
+    report_far_side,
     report_standing,
     standing_facets,
     with_room,
@@ -46,6 +47,7 @@ from .fewer_axes import keeps_its_axis
 from .machine_around import bodies_in_pose
 from .options import axis_options, pass_options, reacher_of, travels
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
+from .overlapping import find_buried_facets, report_buried
 from .settings import FRAMES, Settings
 from .settings.tree import FROM_AXIS
 
@@ -66,9 +68,10 @@ def find_area(settings: Settings, mesh: Mesh, faces: Bools | None, avoided: Bool
     keep_off, boundary = keep_off_of(settings, mesh, avoided), boundary_of(settings)
     inside, outside = facets_inside(settings, boundary, mesh, faces)
     inside, near = facets_off(keep_off, mesh, inside)
-    return Area(
-        faces if boundary is None and keep_off is None else inside, boundary, keep_off, outside + near
-    )
+    buried = find_buried_facets(mesh)
+    whole = boundary is None and keep_off is None and not buried.any()
+    found = outside + near + report_buried(mesh, inside & buried)
+    return Area(faces if whole else inside & ~buried, boundary, keep_off, found)
 
 
 def begin_context(
@@ -98,7 +101,7 @@ def mill_context(
     else:
         keep, left_out = _choose_by_angle(context)
         context = replace(context, keep=keep)
-    return context, area.findings + left_out
+    return context, area.findings + report_far_side(mesh) + left_out
 
 
 def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillContext, tuple[Finding, ...]]:

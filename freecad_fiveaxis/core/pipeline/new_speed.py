@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.nc.writer import write_nc
 
 from .options import nc_title, post_options
 from .programs import MilledProgram, Result
-from .safe_start import find_spindle_off, start_plane
+from .safe_start import find_spindle_off
 from .settings import Settings
 
 
@@ -32,14 +32,13 @@ def change_speed(result: Result, settings: Settings, progress: Progress = silent
     head = replace(draft.settings.head, spindle=settings.head.spindle, coolant=settings.head.coolant)
     settings = replace(draft.settings, head=head)
     draft = replace(draft, settings=settings)
-    height, _ = start_plane(draft.context(progress), draft.program)
     nc = write_nc(
         draft.program,
         draft.dialect,
         nc_title(settings, draft.machine),
         post_options(settings),
         progress,
-        height,
+        draft.plane.z or 0.0,
     )
     old, new = find_spindle_off(result.draft.settings), find_spindle_off(settings)
     kept = tuple(one for one in draft.findings if one not in old)

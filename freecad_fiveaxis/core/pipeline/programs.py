@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 from .context import MillContext, obstacles_of
 from .settings import Settings
+from .start_plane import StartPlane
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,11 +46,13 @@ class ProgramDraft:
 
 @dataclass(frozen=True, eq=False)
 class PostedProgram(ProgramDraft):
-    """A program made here: the CL path, the joints and the NC file's bytes."""
+    """A program made here: the CL path, the joints and the NC file's bytes; ``plane``: on which it begins and
+    ends."""
 
     path: CLPath
     joints: JointPath
     nc: bytes
+    plane: StartPlane = field(default=StartPlane(None), kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the program that the settings ask for begins and ends: its head's lines, the plane above the part, and
-what to say of both.
+"""How the program that the settings ask for begins and ends: its head's lines, and what to say of them.
 
-The lines are made by core/nc/start.py, the plane by core/motion/program/retract.py; the Program itself begins
-where block 0 ends, with the tool above that place and the rotary axes turned.
+The lines are made by core/nc/start.py, the plane is found in :mod:`.start_plane`; the Program itself
+begins where block 0 ends, with the tool above that place and the rotary axes turned.
 """
 
 from __future__ import annotations
@@ -15,14 +14,14 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Option, Sentence, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
-from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_NOTHING, Machine
+from freecad_fiveaxis.core.machine import BY_NOTHING, Machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
-from freecad_fiveaxis.core.motion.program import Program, plane_above, upwards, within_travel
+from freecad_fiveaxis.core.motion.program import Program, upwards
 from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 
 from .context import Box, JobContext, PostContext
-from .options import choose_rapid_body, tip_to_driven
 from .settings import Settings
+from .start_plane import find_start_plane
 
 
 def add_safe_start(dialect: Dialect, machine: Machine) -> Dialect:
@@ -34,17 +33,10 @@ def add_safe_start(dialect: Dialect, machine: Machine) -> Dialect:
 
 
 def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Finding, ...]]:
-    """Return the word of Z at which the program begins and ends above the part, where the machine file asks
-    for that, else 0."""
-    settings, machine, kinematics = context.settings, context.machine, context.kinematics
-    if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
-        return 0.0, ()
-    widest = max(
-        max(piece.low_radius, piece.high_radius) + piece.round for piece in choose_rapid_body(settings).pieces
-    )
-    body = widest if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
-    margin = settings.links.clearance + tip_to_driven(settings) + body
-    return within_travel(kinematics, plane_above(kinematics, *context.box, margin, program.words))
+    """Return the word of Z at which the program begins and ends, 0 where none is written, and what there is
+    to say of it."""
+    plane = find_start_plane(context, program)
+    return plane.z or 0.0, plane.findings
 
 
 def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]:

@@ -36,6 +36,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
+from freecad_fiveaxis.core.gouge.above_bodies import AbovePlane
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.deviation import Deviation
@@ -72,7 +73,8 @@ class Figures:
     controller drives them, one of
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
-    against.
+    against; ``above``: the plane on which the program begins and ends, None where it is not proven to be
+    above the machine's bodies.
     """
 
     title: str
@@ -99,6 +101,7 @@ class Figures:
     rapids: str = ""
     table: float | None = None
     fixtures: tuple[str, ...] = ()
+    above: AbovePlane | None = None
 
     @property
     def judged(self) -> Deviation:

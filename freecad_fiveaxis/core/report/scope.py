@@ -19,6 +19,9 @@ from freecad_fiveaxis.core.machine.bodies import SPINDLE
 from .figures import Figures
 from .verdict import ENTERS, is_checked
 
+AUDITED = "audit"
+"""The kind of a program that was not made here."""
+
 
 class Scope(NamedTuple):
     """Sentences: what is ``proven``, what is ``assumed`` for that, and what is ``unknown``, for it was not
@@ -71,15 +74,17 @@ def _state_proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sent
     names, codes = name_checked_bodies(figures), {one.code for one in figures.findings}
     if names and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
         yield say(
-            "tool and spindle, as far as they are given, stay out of the machine's bodies: {names}",
+            "from the first block to the last tool and spindle, as far as they are given, stay out of the "
+            "machine's bodies: {names}",
             names=names,
         )
+        yield from _state_plane(figures)
     together = _name_moving_bodies(figures)
     if together and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
         yield say(
-            "of the machine's bodies those that move against each other stay out of each other, and out of "
-            "part and fixtures as "
-            "far as these are known, but for neighbours that touch with all axes at zero: {names}",
+            "from the first block to the last those of the machine's bodies that move against each other "
+            "stay out of each other, and out of part and fixtures as far as these are known, but for "
+            "neighbours that touch with all axes at zero: {names}",
             names=together,
         )
     if figures.fixtures and not codes & {Code.FIXTURE_COLLISION, Code.FIXTURE_UNPROVEN}:
@@ -100,6 +105,40 @@ def _state_proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sent
         yield say(
             "cutter, shank and holder, as far as they are given, keep {distance} off the faces to avoid",
             distance=Length(kept),
+        )
+
+
+def _state_plane(figures: Figures) -> Iterator[Sentence]:
+    """Yield what holds wherever the axes stand before the program."""
+    if figures.above is not None:
+        yield say(
+            "where the program begins and ends, at Z {height}, tool and spindle are above part, fixtures "
+            "and the machine's bodies, wherever the other axes stand, and from there Z comes down clear to "
+            "the first block and rises clear from the last",
+            height=Length(figures.above.z, bare=True),
+        )
+
+
+def _unknown_ends(figures: Figures) -> Iterator[Sentence]:
+    """Yield what is not known before the first block and behind the last, for nobody knows where the axes
+    stand when a program is started."""
+    above = figures.above
+    if above is None:
+        if figures.kind == AUDITED or name_checked_bodies(figures):
+            yield say(
+                "how the axes come to the first block, and where they go behind the last: where they stand "
+                "before the program is not known, so nothing was looked at there"
+            )
+        return
+    yield say(
+        "where the axes stand before the program: the way of Z up to {height}, and the machine's bodies "
+        "against each other while the axes go to the first block",
+        height=Length(above.z, bare=True),
+    )
+    if above.but_for:
+        yield say(
+            "whether tool and spindle meet {names} on the way to the first block: Z cannot go above them",
+            names=", ".join(above.but_for),
         )
 
 
@@ -184,6 +223,7 @@ def _unknown(figures: Figures) -> Iterator[Sentence]:
         yield say("other fixtures, the machine's own bodies, and stock that is still there")
     else:
         yield say("fixtures, the machine's own bodies, and stock that is still there")
+    yield from _unknown_ends(figures)
     yield say("what the drives make of it: servo lag, look-ahead, rounded corners")
     if not is_checked(figures):
         yield say("the part: whether the tool enters it was not looked at")

@@ -53,6 +53,7 @@ def short_names() -> dict[str, str]:
     with."""
     return {
         SIDE: translate("FiveAxis", "Not machined"),
+        "surface-looks-down": translate("FiveAxis", "Looks down"),
         "corner-not-reached": translate("FiveAxis", "Corner not reached"),
         "heel-in-hollow": translate("FiveAxis", "Heel of the cutter in the part"),
         "turns-at-pole": translate("FiveAxis", "Turns at the pole"),

@@ -18,6 +18,9 @@ FLAT_FACETS = Template(
 INWARD_FACETS = Template(
     "All {count} facets looked inward and were turned outward; check the export if only some of them should."
 )
+TURNED_FACETS = Template(
+    "{count} facets, the first at {at}, faced the other way than their neighbours and were turned round."
+)
 JOIN_FINDINGS = (
     (
         Code.DOUBLED_FACETS,
@@ -34,6 +37,16 @@ JOIN_FINDINGS = (
         ),
     ),
 )
+CHANGES = (Code.DEGENERATE_FACETS, *(code for code, _ in JOIN_FINDINGS))
+"""Of what was done to the mesh, however it is made anew afterwards."""
+TORN = Template(
+    "{edges} edges have one facet only, the first at {at}: the facets hang together nearly nowhere, and "
+    "passes end at each of them. Export the mesh again with common corners, or repair it (in FreeCAD: "
+    "Evaluate and repair mesh, Duplicated points)."
+)
+"""In place of the first of ``EDGE_FINDINGS`` where there are more than two such edges a facet."""
+FEW_FACETS = 10
+"""A mesh of fewer facets may be meant to be open all round."""
 EDGE_FINDINGS = (
     (
         Code.OPEN_SHELL,
@@ -86,5 +99,7 @@ def report_edges(key: Words, half: Ints, low: int, vertex: Floats, face: Ints) -
             corner = half[worst] >> low
             ends = face[facet[worst], [corner, (corner + 1) % 3]]
             edges = int(np.count_nonzero(np.minimum(count, 3) == number))
+            if code is Code.OPEN_SHELL and edges > 2 * len(face) >= 2 * FEW_FACETS:
+                template = TORN
             findings.append(report_at(code, template, vertex, ends, edges=edges))
     return findings, bool((2 * forward == count).all())

@@ -3,8 +3,7 @@
 T-junctions.
 
 doubled     a facet with the same corners in the same sense as another: one is kept.
-cluster     corners on the border that lie nearer than ``NEAR`` of the shortest side there: one vertex of
-            them.
+cluster     corners on the border that lie nearer than :func:`_near`: one vertex of them.
 T-junction  a vertex on the side of a facet that ends there: that facet is divided at it.
 flawed      an edge with more than two facets, with two that run along it in the same sense, or that fold back
             onto each other as both sides of a thin wall do. What would make one, or a facet without area,
@@ -23,9 +22,17 @@ import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
-NEAR = 1e-5
-"""Of the shortest side at a place: what is nearer lies there. An STL file's own rounding is 1e-7 of the
-part's size."""
+NEAR = 1e-2
+"""Of the shortest side at a corner: another corner that is nearer lies there, where it is nearer than ``GAP``
+too."""
+
+ON_SIDE = 1e-5
+"""Of the shortest side at a place: a vertex that is nearer to a side lies on it. Where corners are too far
+apart to be joined, more would divide facets at each of them, over and over."""
+
+GAP = 2e-3
+"""mm: a wider gap between facets is never closed. An STL file's own rounding is 1e-7 of the part's size; what
+is joined moves the surface by less than a fifth of the usual tolerance."""
 
 FOLDED = 0.14
 """Sum of two unit normals that is shorter: facets at less than 8 deg from each other, as the two sides of a
@@ -116,6 +123,11 @@ def _shortest(vertex: Floats, side: _Sides) -> Floats:
     return shortest
 
 
+def _near(shortest: Floats) -> Floats:
+    """Return how near (n,) mm what lies at one place is, by the ``shortest`` sides (n,) mm there."""
+    return np.minimum(NEAR * shortest, GAP)
+
+
 # --------------------------------------------------------------------------------------------- doubled facets
 
 
@@ -152,7 +164,7 @@ def _clusters(vertex: Floats, side: _Sides, was_open: Bools) -> Ints:
         np.arange(len(vertex)),
         np.unique(np.concatenate([side.start[was_open], side.end[was_open]])),
     )
-    near = NEAR * _shortest(vertex, side)[corner]
+    near = _near(_shortest(vertex, side)[corner])
     if len(corner) < 2:
         return place
     away, other = scipy.spatial.cKDTree(vertex[corner]).query(
@@ -189,7 +201,7 @@ def _find_scattered(vertex: Floats, place: Ints, gone: Ints, shortest: Floats) -
     """First vertices (v,) of clusters with a corner too far from the first one."""
     away = np.linalg.norm(vertex[gone] - vertex[place[gone]], axis=1)
     wrong = np.zeros(len(place), np.bool_)
-    wrong[place[gone[away > NEAR * np.minimum(shortest[gone], shortest[place[gone]])]]] = True
+    wrong[place[gone[away > _near(np.minimum(shortest[gone], shortest[place[gone]]))]]] = True
     return wrong
 
 
@@ -226,9 +238,9 @@ def _junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints, Floa
     if len(corner) < 2:
         return half[:0], corner[:0], np.empty(0)
     shortest = _shortest(vertex, side)
-    near = NEAR * np.minimum(shortest[side.start[half]], shortest[side.end[half]])
+    near = ON_SIDE * np.minimum(shortest[side.start[half]], shortest[side.end[half]])
     row, at = _candidates(vertex[corner], vertex[side.start[half]], vertex[side.end[half]], near)
-    half, at, near = half[row], corner[at], np.minimum(near[row], NEAR * shortest[corner[at]])
+    half, at, near = half[row], corner[at], np.minimum(near[row], ON_SIDE * shortest[corner[at]])
     start, way = vertex[side.start[half]], vertex[side.end[half]] - vertex[side.start[half]]
     length = np.linalg.norm(way, axis=1)
     along = np.einsum("ij,ij->i", vertex[at] - start, way) / length

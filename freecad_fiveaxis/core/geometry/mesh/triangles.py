@@ -26,11 +26,12 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
 
-from .faults import FLAT_FACETS, INWARD_FACETS, JOIN_FINDINGS, report_at
+from .faults import CHANGES, FLAT_FACETS, INWARD_FACETS, JOIN_FINDINGS, TURNED_FACETS, report_at
 from .given_numbers import find_range, read_numbers
 from .half_edges import HalfEdges, find_coedges, sort_half_edges
 from .join import join_facets
 from .weld import Reals, separate, weld
+from .winding import find_turned
 from .words import T
 
 S = TypeVar("S", np.float64, np.int64)
@@ -179,8 +180,12 @@ def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh
 
 
 def join_loose(mesh: Mesh) -> Mesh:
-    """Return the mesh with facets joined that ought to hang together; where there are none, the mesh
-    itself."""
+    """Return the mesh with facets joined that ought to hang together, and those turned round that face the
+    other way than their neighbours; where there are none, the mesh itself."""
+    return _turn_facets(_join_facets(mesh))
+
+
+def _join_facets(mesh: Mesh) -> Mesh:
     edge = mesh.coedge_face[:, 1] < 0
     rim = np.zeros(len(mesh.vertex), dtype=np.bool_)
     rim[mesh.coedge_vertex[edge]] = True
@@ -195,6 +200,21 @@ def join_loose(mesh: Mesh) -> Mesh:
         if len(row)
     ]
     return replace(joined, findings=(*kept, *findings, *joined.findings))
+
+
+def _turn_facets(mesh: Mesh) -> Mesh:
+    """Return the mesh without facets that face the other way than their neighbours."""
+    if not any(one.code == Code.INCONSISTENT_WINDING for one in mesh.findings):
+        return mesh
+    rows = np.flatnonzero(find_turned(mesh.face, mesh.area))
+    if not len(rows):
+        return mesh
+    face = mesh.face.copy()
+    face[rows] = face[rows, ::-1]
+    found = report_at(Code.FACETS_TURNED, TURNED_FACETS, mesh.vertex, mesh.face[rows[0]], count=len(rows))
+    kept = [one for one in mesh.findings if one.code in CHANGES]
+    one_way = from_faces(mesh.vertex, face)
+    return replace(one_way, findings=(*kept, found, *one_way.findings))
 
 
 def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:

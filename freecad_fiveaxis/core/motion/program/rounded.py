@@ -140,7 +140,7 @@ def build_program(
     scale = _FeedScale(dialect, inverse_time)
     times = _time_blocks(stands, words, motion, tip_feed, kinematics, scale, progress)
     line = np.arange(dialect.first_line, dialect.first_line + len(row))
-    findings += more + _feed_findings(times.commanded, times.held, scale)
+    findings += more + _feed_findings(times, scale)
     modes = np.full(len(row), inverse_time)
     return Program(
         kinematics.letters,
@@ -276,12 +276,14 @@ class _FeedScale:
 
 class _Times(NamedTuple):
     """``commanded`` (m,) the F that each block asks for, ``feed`` (m,) as rounded (both 0 for rapids);
-    ``held`` (m,) whether an axis holds it back; ``seconds`` (m,) by the rounded F."""
+    ``held`` (m,) whether an axis holds it back; ``seconds`` (m,) by the rounded F; ``real`` (m,) mm/min the
+    tip's mean feed over the part in feed blocks."""
 
     commanded: Floats
     held: Bools
     feed: Floats
     seconds: Floats
+    real: Floats
 
 
 def _time_blocks(
@@ -296,7 +298,7 @@ def _time_blocks(
     """``words`` (m, 5): where the axes stand; ``programmed`` (m, 5): the same, or the tip and the rotary
     words where it is guided."""
     count, guided = len(words), programmed is not words
-    times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
+    times = _Times(np.zeros(count), np.zeros(count, np.bool_), *np.zeros((3, count)))
 
     def fill(steps: slice) -> None:
         rows, ends = slice(steps.start + 1, steps.stop + 1), slice(steps.start, steps.stop + 1)
@@ -325,7 +327,8 @@ def _time_blocks(
         seconds = 60.0 * distance / feed
         seconds[rapid] = 60.0 * rapid_minutes(kinematics, change[rapid])
         feed[rapid] = 0.0
-        for whole, part in zip(times, (commanded, held, feed, seconds), strict=True):
+        real = np.divide(60.0 * travel, seconds, out=np.zeros(len(travel)), where=along & (seconds > 0.0))
+        for whole, part in zip(times, (commanded, held, feed, seconds, real), strict=True):
             whole[rows] = part
 
     in_threads(fill, chunks(max(count - 1, 0), TIMED), lambda done: progress("feeds", done))
@@ -352,14 +355,19 @@ def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Fin
     return tuple(placed)
 
 
-HELD = Template("In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.")
+HELD = Template(
+    "In {count} blocks an axis would exceed its maximum rate; they run slower than programmed, half of them "
+    "at less than {feed}. For an even feed give a lower one, or set the part nearer to the rotary axes."
+)
 ABOVE = Template(
-    "In {count} blocks F would exceed the controller's largest; they run slower than programmed."
+    "In {count} blocks F would exceed the controller's largest; they run slower than programmed, half of "
+    "them at less than {feed}. Use G94, or give a lower feed."
 )
 BELOW = Template("In {count} blocks F would be below one step; they run faster than programmed. Use G93.")
 
 
-def _feed_findings(commanded: Floats, held: Bools, scale: _FeedScale) -> tuple[Finding, ...]:
+def _feed_findings(times: _Times, scale: _FeedScale) -> tuple[Finding, ...]:
+    commanded, held = times.commanded, times.held
     unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
     below = np.flatnonzero(commanded < step / (1.0 + FEED_SLACK))
     below = below[commanded[below] > 0.0]  # not those of rapids
@@ -376,7 +384,8 @@ def _feed_findings(commanded: Floats, held: Bools, scale: _FeedScale) -> tuple[F
     for blocks, code, text, value, limit, unit_of in cases:
         if len(blocks):
             block = int(blocks[0])
-            programmed = text.say(count=len(blocks))
+            feed = Feed(float(np.median(times.real[blocks])), ".3g")
+            programmed = text.say(count=len(blocks), feed=feed)
             found.append(
                 report_finding(
                     code, programmed, value, limit, block, scale.dialect.first_line + block, unit=unit_of

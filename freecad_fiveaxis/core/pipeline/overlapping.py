@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids of one part that overlap: what of the one lies inside the other is no surface of the part.
+
+Just over a facet of the part's skin there is no solid; over one that lies inside another solid there is that
+one. The facets above a place, each counted with the sense in which it looks, tell in how many solids it lies.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import scipy
+
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
+from freecad_fiveaxis.core.base.records import Bools, Ints
+from freecad_fiveaxis.core.base.sentences import Area, Number, Point, say
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge import count_solids, is_closed
+
+OVER = 1e-5
+"""Of the part's size: so far over a facet is looked."""
+
+NEAR_CORNERS = 0.9 * np.eye(3) + 0.1 / 3.0
+"""Where on a facet is looked besides its middle, in shares of its corners."""
+
+
+def find_buried_facets(mesh: Mesh) -> Bools:
+    """Find the facets (f,) of a closed mesh that lie inside another of its solids, with their middle and near
+    all of their corners; none where no two solids have room in common."""
+    buried = np.zeros(len(mesh.face), np.bool_)
+    if not is_closed(mesh):
+        return buried
+    near = _find_overlapping(mesh)
+    rows = np.flatnonzero(near)
+    for share in (np.full(3, 1.0 / 3.0), *NEAR_CORNERS):
+        corner = mesh.vertex[mesh.face[rows]]
+        over = np.einsum("c,fcx->fx", share, corner) + OVER * _size(mesh) * mesh.normal[rows]
+        rows = rows[count_solids(facet_tree(mesh), over) > 0.5]
+    buried[rows] = True
+    return buried
+
+
+def report_buried(mesh: Mesh, buried: Bools) -> tuple[Finding, ...]:
+    """Say how much of the part's surface lies inside another of its solids; nothing where none does."""
+    if not buried.any():
+        return ()
+    area, facet = float(mesh.area[buried].sum()), int(np.where(buried, mesh.area, 0.0).argmax())
+    x, y, z = mesh.vertex[mesh.face[facet]].mean(axis=0).tolist()
+    text = say(
+        "{area} ({share} % of the mesh) at {place} lie inside another solid of the part and are not "
+        "machined. Unite the solids in CAD, so that passes end at the seam.",
+        area=Area(area, ".4g"),
+        share=Number(100.0 * area / float(mesh.area.sum()), ".3g"),
+        place=Point((x, y, z)),
+    )
+    return (report_finding(Code.FACETS_INSIDE, text, area, 0.0, place=(x, y, z)),)
+
+
+def _find_overlapping(mesh: Mesh) -> Bools:
+    """Find the facets (f,) of solids whose boxes overlap with that of another one."""
+    solid = _number_solids(mesh)
+    count = int(solid.max()) + 1
+    low, high = np.full((count, 3), np.inf), np.full((count, 3), -np.inf)
+    for corner in mesh.face.T:
+        np.minimum.at(low, solid, mesh.vertex[corner])
+        np.maximum.at(high, solid, mesh.vertex[corner])
+    wide = np.argsort(low[:, 0])
+    low, high = low[wide], high[wide]
+    met = np.zeros(count, np.bool_)
+    last = np.searchsorted(low[:, 0], high[:, 0], side="right")
+    for one in np.flatnonzero(last > np.arange(count) + 1).tolist():  # solids, not facets: few
+        others = slice(one + 1, last[one])
+        over = ((low[others] <= high[one]) & (high[others] >= low[one])).all(axis=1)
+        met[one] |= over.any()
+        met[others] |= over
+    overlapping = np.zeros(count, np.bool_)
+    overlapping[wide] = met
+    return np.asarray(overlapping[solid])
+
+
+def _number_solids(mesh: Mesh) -> Ints:
+    """Return the number (f,) of the shell that each facet belongs to."""
+    one, other = mesh.coedge_face.T
+    graph = scipy.sparse.coo_matrix((np.ones(len(one), np.int8), (one, other)), (len(mesh.face),) * 2)
+    return np.asarray(scipy.sparse.csgraph.connected_components(graph, directed=False)[1], np.int64)
+
+
+def _size(mesh: Mesh) -> float:
+    return float(np.ptp(mesh.vertex, axis=0).max())
