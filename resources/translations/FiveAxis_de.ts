@@ -4496,8 +4496,16 @@
         <translation>#{key} stellt die Maschine ein</translation>
     </message>
     <message>
+        <source>1 block has no F above 0 in force; most controllers stop there. Give F.</source>
+        <translation>1 NC-Satz hat kein gültiges F über 0; die meisten Steuerungen halten dort an. F angeben.</translation>
+    </message>
+    <message>
         <source>1 block leads</source>
         <translation>1 NC-Satz führt</translation>
+    </message>
+    <message>
+        <source>1 block under G93 has no F of its own; most controllers stop there. Give F in every block.</source>
+        <translation>1 NC-Satz unter G93 hat kein eigenes F; die meisten Steuerungen halten dort an. F in jedem Satz angeben.</translation>
     </message>
     <message>
         <source>1 feed block</source>
@@ -5544,6 +5552,10 @@
         <translation>Das ganze Werkstück ist {size} lang, weniger als der Durchmesser {diameter} des Fräsers: seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}). Das Werkstück in mm exportieren oder skalieren.</translation>
     </message>
     <message>
+        <source>The word {letter} in NC line {line} is not interpreted: what it does is missing here. Post without it, or see that it moves nothing and changes no feed.</source>
+        <translation>Das Wort {letter} in NC-Zeile {line} wird nicht ausgewertet: Was es bewirkt, fehlt hier. Ohne es ausgeben oder nachsehen, dass es nichts bewegt und keinen Vorschub ändert.</translation>
+    </message>
+    <message>
         <source>The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound.</source>
         <translation>Die Wörter von {letter} zählen Umdrehungen weiter, und {count} NC-Sätze drehen um mehr als eine halbe Umdrehung; die Maschinendatei sagt modulo, also gilt der kürzere Weg. Zählt die Steuerung Umdrehungen, wrap_strategy auf unwound stellen.</translation>
     </message>
@@ -5554,10 +5566,6 @@
     <message>
         <source>The zeros of {assumed} are taken as right: these rows could not tell them apart from the offsets. Give rows with larger turns to have them proven too.</source>
         <translation>Die Nullpunkte von {assumed} gelten als richtig: diese Zeilen konnten sie nicht von den Versätzen unterscheiden. Zeilen mit größeren Drehungen angeben, um auch sie nachzuweisen.</translation>
-    </message>
-    <message>
-        <source>The {count} words {letter} are not interpreted.</source>
-        <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
         <source>The {part} comes nearer than {distance} to the faces to avoid at {at}, nearest of {count} blocks; {allowance} are asked for. Let blocks be divided, or use a smaller cutter or holder.</source>
@@ -5858,6 +5866,10 @@
     <message>
         <source>a list of names</source>
         <translation>eine Liste von Namen</translation>
+    </message>
+    <message>
+        <source>a lower feed for plunging, of which the times here know nothing; F is taken as it stands</source>
+        <translation>ein geringerer Vorschub beim Eintauchen, den die Zeiten hier nicht berücksichtigen; F wird genommen, wie es dasteht</translation>
     </message>
     <message>
         <source>a machine on which the path cannot be driven</source>
@@ -9244,6 +9256,10 @@
         <translation>{count} Wörter haben keinen Dezimalpunkt; gelesen, wie sie dastehen: {word} ist {value}. Zählt die Steuerung ihr kleinstes Inkrement, ist es dort {small}: {option} angeben.</translation>
     </message>
     <message>
+        <source>{count} words {letter}, the first in NC line {line}, are not interpreted: what they do is missing here. Post without them, or see that they move nothing and change no feed.</source>
+        <translation>{count} Wörter {letter}, das erste in NC-Zeile {line}, werden nicht ausgewertet: Was sie bewirken, fehlt hier. Ohne sie ausgeben oder nachsehen, dass sie nichts bewegen und keinen Vorschub ändern.</translation>
+    </message>
+    <message>
         <source>{deep} are cut too deep, at most by {most}</source>
         <translation>{deep} sind zu tief gefräst, höchstens um {most}</translation>
     </message>
@@ -9656,6 +9672,10 @@
         <translation>{name} hat {wanted}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
     </message>
     <message>
+        <source>{name} in NC line {line} is not known and not interpreted; its effect is missing here.</source>
+        <translation>{name} in NC-Zeile {line} ist nicht bekannt und wird nicht ausgewertet; was es tut, fehlt hier.</translation>
+    </message>
+    <message>
         <source>{name} is a face of {other}: select faces of {label}.</source>
         <translation>{name} ist eine Fläche von {other}: Flächen von {label} auswählen.</translation>
     </message>
@@ -9746,6 +9766,10 @@
     <message>
         <source>{name} of {label} is no vertex or edge: pick one, or name a CSV file of a curve.</source>
         <translation>{name} von {label} ist keine Ecke oder Kante: eine wählen oder eine CSV-Datei einer Kurve angeben.</translation>
+    </message>
+    <message>
+        <source>{name} stands in NC line {line}: {explanation}.</source>
+        <translation>{name} steht in NC-Zeile {line}: {explanation}.</translation>
     </message>
     <message>
         <source>{name} stands in {count} lines: {explanation}.</source>

@@ -471,7 +471,7 @@ def test_a_number_of_frames_alone_asks_for_frames():
 def test_each_facet_is_of_one_frame_and_passes_are_spaced_by_how_the_cutter_stands_on_these():
     """In the frame that leans about Y the walls across X are not cut: that a flat end mill would stand on its
     edge there is no reason to step more closely."""
-    mesh, given = block(), {"cutter": "flat:6", "gouge": "off", "linearize": "off", "rest": "off"}
+    mesh, given = block(), {"cutter": "flat:6", "scallop": 0.15, "gouge": "off", "linearize": "off"}
     with patch.object(milling, "find_region", wraps=milling.find_region) as found:
         draft = made(mesh, **given)
     ((_, _, keep, _, frames), _), region = found.call_args, milling.find_region(*found.call_args[0])
@@ -480,7 +480,7 @@ def test_each_facet_is_of_one_frame_and_passes_are_spaced_by_how_the_cutter_stan
     with patch.object(Frames, "facets", lambda self, part: [np.ones(len(part.face), bool)] * len(self.axis)):
         assert region.radius > 1.2 * milling.find_region(*found.call_args[0]).radius
     (narrow,) = [one for one in draft.findings if one.code == "narrow-passes"]
-    assert narrow.value < 0.25 * narrow.limit and narrow.limit == pytest.approx(flat_interval(3.0, SCALLOP))
+    assert narrow.value < 0.25 * narrow.limit and narrow.limit == pytest.approx(flat_interval(3.0, 0.15))
 
 
 def test_of_a_ball_and_of_a_level_bottom_it_is_not_said_that_passes_are_narrow():
