@@ -4496,8 +4496,16 @@
         <translation>#{key} stellt die Maschine ein</translation>
     </message>
     <message>
+        <source>1 block has no F above 0 in force; most controllers stop there. Give F.</source>
+        <translation>1 NC-Satz hat kein gültiges F über 0; die meisten Steuerungen halten dort an. F angeben.</translation>
+    </message>
+    <message>
         <source>1 block leads</source>
         <translation>1 NC-Satz führt</translation>
+    </message>
+    <message>
+        <source>1 block under G93 has no F of its own; most controllers stop there. Give F in every block.</source>
+        <translation>1 NC-Satz unter G93 hat kein eigenes F; die meisten Steuerungen halten dort an. F in jedem Satz angeben.</translation>
     </message>
     <message>
         <source>1 feed block</source>
@@ -5164,6 +5172,10 @@
         <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder einen kleineren Halter nehmen.</translation>
     </message>
     <message>
+        <source>Passes are only {step} apart, because the cutter touches with its edge where the surface is aslant to its axis; a ball of its diameter would take {ball}. Use a ball or a bull nose cutter, or a tool axis that follows the surface.</source>
+        <translation>Die Bahnen liegen nur {step} auseinander, weil der Fräser mit seiner Kante berührt, wo die Fläche schräg zu seiner Achse liegt; eine Kugel seines Durchmessers käme mit {ball} aus. Einen Kugel- oder Torusfräser nehmen oder eine Werkzeugachse, die der Fläche folgt.</translation>
+    </message>
+    <message>
         <source>Passes are {stepover} apart and the cutter is {width} wide: strips between them stay uncut. Give a smaller {option}, or the {scallop} that may stay.</source>
         <translation>Die Bahnen liegen {stepover} auseinander, der Fräser ist {width} breit: Die Streifen dazwischen bleiben stehen. Mit {option} einen kleineren Abstand angeben oder mit {scallop}, wie viel stehen bleiben darf.</translation>
     </message>
@@ -5612,6 +5624,10 @@
         <translation>Das ganze Werkstück ist {size} lang, weniger als der Durchmesser {diameter} des Fräsers: seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}). Das Werkstück in mm exportieren oder skalieren.</translation>
     </message>
     <message>
+        <source>The word {letter} in NC line {line} is not interpreted: what it does is missing here. Post without it, or see that it moves nothing and changes no feed.</source>
+        <translation>Das Wort {letter} in NC-Zeile {line} wird nicht ausgewertet: Was es bewirkt, fehlt hier. Ohne es ausgeben oder nachsehen, dass es nichts bewegt und keinen Vorschub ändert.</translation>
+    </message>
+    <message>
         <source>The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound.</source>
         <translation>Die Wörter von {letter} zählen Umdrehungen weiter, und {count} NC-Sätze drehen um mehr als eine halbe Umdrehung; die Maschinendatei sagt modulo, also gilt der kürzere Weg. Zählt die Steuerung Umdrehungen, wrap_strategy auf unwound stellen.</translation>
     </message>
@@ -5622,10 +5638,6 @@
     <message>
         <source>The zeros of {assumed} are taken as right: these rows could not tell them apart from the offsets. Give rows with larger turns to have them proven too.</source>
         <translation>Die Nullpunkte von {assumed} gelten als richtig: diese Zeilen konnten sie nicht von den Versätzen unterscheiden. Zeilen mit größeren Drehungen angeben, um auch sie nachzuweisen.</translation>
-    </message>
-    <message>
-        <source>The {count} words {letter} are not interpreted.</source>
-        <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
         <source>The {part} comes nearer than {distance} to the faces to avoid at {at}, nearest of {count} blocks; {allowance} are asked for. Let blocks be divided, or use a smaller cutter or holder.</source>
@@ -5926,6 +5938,10 @@
     <message>
         <source>a list of names</source>
         <translation>eine Liste von Namen</translation>
+    </message>
+    <message>
+        <source>a lower feed for plunging, of which the times here know nothing; F is taken as it stands</source>
+        <translation>ein geringerer Vorschub beim Eintauchen, den die Zeiten hier nicht berücksichtigen; F wird genommen, wie es dasteht</translation>
     </message>
     <message>
         <source>a machine on which the path cannot be driven</source>
@@ -7610,6 +7626,10 @@
     <message>
         <source>passes are farther apart than the cutter is wide</source>
         <translation>die Bahnen liegen weiter auseinander, als der Fräser breit ist</translation>
+    </message>
+    <message>
+        <source>passes are near to each other, for the cutter stands aslant</source>
+        <translation>Bahnen liegen eng beieinander, weil der Fräser schräg steht</translation>
     </message>
     <message>
         <source>passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or a curve on it</source>
@@ -9344,6 +9364,10 @@
         <translation>{count} Wörter haben keinen Dezimalpunkt; gelesen, wie sie dastehen: {word} ist {value}. Zählt die Steuerung ihr kleinstes Inkrement, ist es dort {small}: {option} angeben.</translation>
     </message>
     <message>
+        <source>{count} words {letter}, the first in NC line {line}, are not interpreted: what they do is missing here. Post without them, or see that they move nothing and change no feed.</source>
+        <translation>{count} Wörter {letter}, das erste in NC-Zeile {line}, werden nicht ausgewertet: Was sie bewirken, fehlt hier. Ohne sie ausgeben oder nachsehen, dass sie nichts bewegen und keinen Vorschub ändern.</translation>
+    </message>
+    <message>
         <source>{deep} are cut too deep, at most by {most}</source>
         <translation>{deep} sind zu tief gefräst, höchstens um {most}</translation>
     </message>
@@ -9756,6 +9780,10 @@
         <translation>{name} hat {wanted}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
     </message>
     <message>
+        <source>{name} in NC line {line} is not known and not interpreted; its effect is missing here.</source>
+        <translation>{name} in NC-Zeile {line} ist nicht bekannt und wird nicht ausgewertet; was es tut, fehlt hier.</translation>
+    </message>
+    <message>
         <source>{name} is a face of {other}: select faces of {label}.</source>
         <translation>{name} ist eine Fläche von {other}: Flächen von {label} auswählen.</translation>
     </message>
@@ -9846,6 +9874,10 @@
     <message>
         <source>{name} of {label} is no vertex or edge: pick one, or name a CSV file of a curve.</source>
         <translation>{name} von {label} ist keine Ecke oder Kante: eine wählen oder eine CSV-Datei einer Kurve angeben.</translation>
+    </message>
+    <message>
+        <source>{name} stands in NC line {line}: {explanation}.</source>
+        <translation>{name} steht in NC-Zeile {line}: {explanation}.</translation>
     </message>
     <message>
         <source>{name} stands in {count} lines: {explanation}.</source>

@@ -9,6 +9,7 @@ import re
 from functools import lru_cache
 from pathlib import Path
 from types import SimpleNamespace
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -24,8 +25,9 @@ from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.orientation import axis_field, find_frames
-from freecad_fiveaxis.core.passes import frame_passes
-from freecad_fiveaxis.core.pipeline import job, mill_context
+from freecad_fiveaxis.core.passes import flat_interval, frame_passes
+from freecad_fiveaxis.core.passes.frames import Frames
+from freecad_fiveaxis.core.pipeline import job, mill_context, milling
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -464,6 +466,27 @@ def test_a_number_of_frames_alone_asks_for_frames():
     assert (
         build_settings("mill", "part.stl", {"machine": "trunnion_ac", "frames": 3}).passes.passes == "frames"
     )
+
+
+def test_each_facet_is_of_one_frame_and_passes_are_spaced_by_how_the_cutter_stands_on_these():
+    """In the frame that leans about Y the walls across X are not cut: that a flat end mill would stand on its
+    edge there is no reason to step more closely."""
+    mesh, given = block(), {"cutter": "flat:6", "scallop": 0.15, "gouge": "off", "linearize": "off"}
+    with patch.object(milling, "find_region", wraps=milling.find_region) as found:
+        draft = made(mesh, **given)
+    ((_, _, keep, _, frames), _), region = found.call_args, milling.find_region(*found.call_args[0])
+    own = frames.facets(mesh)
+    assert (np.sum(own, axis=0)[keep] == 1).all() and len(own) == 2
+    with patch.object(Frames, "facets", lambda self, part: [np.ones(len(part.face), bool)] * len(self.axis)):
+        assert region.radius > 1.2 * milling.find_region(*found.call_args[0]).radius
+    (narrow,) = [one for one in draft.findings if one.code == "narrow-passes"]
+    assert narrow.value < 0.25 * narrow.limit and narrow.limit == pytest.approx(flat_interval(3.0, 0.15))
+
+
+def test_of_a_ball_and_of_a_level_bottom_it_is_not_said_that_passes_are_narrow():
+    quick = {"gouge": "off", "linearize": "off", "rest": "off", "passes": "scallop"}
+    for given in ({"cutter": "ball:6"}, {"cutter": "flat:6", "tool_axis": "face_normal"}):
+        assert "narrow-passes" not in [one.code for one in made(block(), **quick, **given).findings]
 
 
 @pytest.mark.slow

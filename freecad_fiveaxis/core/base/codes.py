@@ -142,6 +142,7 @@ class Code(str, Enum):
         "mm",
         "the scallop asks for passes nearer than the least interval",
     )
+    NARROW_PASSES = "narrow-passes", NOTE, "mm", "passes are near to each other, for the cutter stands aslant"
     STEPOVER_BEYOND_CUTTER = (
         "stepover-beyond-cutter",
         WARNING,

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 NEAREST = 3
 """Places about a point of which one must be in a frame for the point to be."""
@@ -36,3 +37,8 @@ class Frames:
         frame = self.frame[near]
         first = (frame >= 0).argmax(axis=1)
         return np.asarray(np.take_along_axis(frame, first[:, None], axis=1)[:, 0])
+
+    def facets(self, mesh: Mesh) -> list[Bools]:
+        """Return the facets (f,) of the part's ``mesh`` that each frame cuts, by their middles."""
+        own = self.at(mesh.vertex[mesh.face].mean(axis=1), mesh.normal)
+        return [own == number for number in range(len(self.axis))]

@@ -101,7 +101,7 @@ def solve(
     if len(path.tip) == 0:
         return JointPath(path, np.empty(0, np.int64), np.empty((0, 5)), np.empty(0, np.int8), np.empty(0))
     path = _begin_by_rapid(path)
-    pole, crossing = _near_pole(path.axis, kinematics.direction[3])
+    pole, crossing = find_crossings(path.axis, kinematics.direction[3])
     angles = _angles(kinematics, path.axis, pole)
     fits = _reachable(kinematics, path, angles, pole)
     cutting = ~_above(path, high[2] + clearance)
@@ -140,7 +140,7 @@ def _begin_by_rapid(path: CLPath) -> CLPath:
     return replace(path, motion=motion, feed=feed)
 
 
-def _near_pole(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
+def find_crossings(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
     """Which rows (n,) are pole rows, and which steps (n - 1,) are crossings: those whose great arc from axis
     to axis passes the pole, or begins or ends there, within CROSSING_ANGLE. ``first``: direction of the first
     rotary axis.

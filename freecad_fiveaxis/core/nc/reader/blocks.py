@@ -15,6 +15,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from . import codes
 from .arcs import Chords
+from .feed_measure import Measure
 from .feeds import Feeds
 from .lines import last_of
 from .planes import Planes
@@ -54,15 +55,17 @@ def divide_blocks(motions: Moves, feeds: Feeds, chords: Chords | None) -> Blocks
 
 
 def build_program(
-    blocks: Blocks, kinematics: Chain, dialect: Dialect | None, planes: Planes | None
-) -> Program:
-    """Return the Program of the blocks, with what the controller guides and the time that it takes."""
+    blocks: Blocks, kinematics: Chain, dialect: Dialect | None, planes: Planes | None,
+    measure: Measure | None = None,
+) -> Program:  # fmt: skip
+    """Return the Program of the blocks, with what the controller guides and the time that it takes;
+    ``measure``: what F is measured over, where the program says it itself."""
     on, meaning = blocks.on, blocks.meaning
     motion = np.where(blocks.mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
     programmed = in_work(blocks.programmed, meaning, planes)
     words = where_axes_stand(kinematics, programmed, on if planes is None else on | planes.by_tip(meaning))
     guided = _gather_guided(kinematics, words, programmed, on, blocks.vector) if on.any() else None
-    seconds = _seconds(blocks, words, motion, kinematics, dialect)
+    seconds = _seconds(blocks, words, motion, kinematics, dialect, measure)
     return Program(
         kinematics.letters, words, blocks.feed, blocks.inverse, motion, seconds, np.full(len(motion), -1),
         blocks.at, (), guided, find_wraps(kinematics),
@@ -83,18 +86,27 @@ def _gather_guided(kinematics: Chain, words: Floats, programmed: Floats, on: Boo
     )
 
 
-def _seconds(
-    blocks: Blocks, words: Floats, motion: Bytes, kinematics: Chain, dialect: Dialect | None
-) -> Floats:
-    """Return the time (n,) s that the controller takes by what the words say; 0 where nothing."""
-    travel, feed = blocks.programmed - blocks.before, blocks.feed
+def _feed_distance(blocks: Blocks, dialect: Dialect | None, measure: Measure | None) -> Floats:
+    """Return what F measures in each block (n,), mm or degrees."""
+    travel = blocks.programmed - blocks.before
+    if measure is not None:
+        return measure.distance(travel)
     distance = feed_distance(dialect, travel)
     if blocks.on.any():
         guide = next(iter(dialect.guides.values()), None) if dialect is not None else None
         over_all = guide is not None and guide.rotary_in_feed
         guided = feed_distance(dialect if over_all else None, travel)
         distance = np.where(blocks.on, guided, distance)
-    distance = np.where(blocks.inverse, 1.0, distance)
+    return distance
+
+
+def _seconds(
+    blocks: Blocks, words: Floats, motion: Bytes, kinematics: Chain, dialect: Dialect | None,
+    measure: Measure | None,
+) -> Floats:  # fmt: skip
+    """Return the time (n,) s that the controller takes by what the words say; 0 where nothing."""
+    feed = blocks.feed
+    distance = np.where(blocks.inverse, 1.0, _feed_distance(blocks, dialect, measure))
     known = (feed > 0.0) & ~blocks.per_turn
     minutes = np.divide(distance, feed, out=np.zeros(len(feed)), where=known)
     change = np.diff(words, axis=0, prepend=words[:1])

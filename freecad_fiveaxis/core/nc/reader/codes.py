@@ -31,7 +31,9 @@ CENTRES = {911: 0, 901: 1}
 """Arc centres: from the start of the arc, or absolute (G90.1 of LinuxCNC and Mach3)."""
 PLANES = {170: 0, 180: 1, 190: 2}
 PER_MINUTE, INVERSE, PER_TURN = 0, 1, 2
-FEED_MODE = {940: PER_MINUTE, 930: INVERSE, 950: PER_TURN}
+PER_TURN_M = 9510
+"""Private code, G951: M136 of Heidenhain."""
+FEED_MODE = {940: PER_MINUTE, 930: INVERSE, 950: PER_TURN, PER_TURN_M: PER_TURN}
 INCH = 25.4
 DWELL = 40
 TILT, LEVEL = (682, 531), 690
@@ -44,21 +46,26 @@ LOCAL = 520
 """G52: the zero of the local coordinate system."""
 DATUM = 540
 """G54 of Heidenhain's DIN/ISO: a datum shift."""
-NO_MOVE = (100, 280, 281, 300, 301, 520, 530, 531, 650, 660, 661, 682, 920, 921, 922, 923)
+NO_MOVE = (71, 100, 109, 280, 281, 300, 301, 520, 530, 531, 650, 660, 661, 682, 920, 921, 922, 923)
 """Codes (ten times the G number) whose axis words are no move of a block."""
-OFFSETS = tuple(range(540, 600))
+OFFSETS = (*range(540, 600), 1540)
+NUMBERED_OFFSETS = (541, 1540)
+"""G54.1 P5 of Fanuc, G154 P5 of Haas: P says which."""
 GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
 VECTORS_ON = (435,)
 """I J K of straight blocks are the tool's direction."""
 HARMLESS = {
     *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51,
     80, 90, 150, 400,
-    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON,
-    *GUIDE_OFF, *TILT,
+    401, 430, 440, 490, 431, 432, 500, 610, 611, 620, 640, 670, 690, 960, 970, 980, 990, 53, 250, 260, 1030,
+    1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT,
 }  # fmt: skip
-SIDES = (410, 411, 420, 421)
+SIDES = (410, 411, 412, 414, 415, 416, 420, 421, 422, 424, 425, 426)
 """Cutter compensation; with D0 in the same line it moves nothing."""
 WORDS_IGNORED = "NOSMTHDPQLFG"
+WORDS_OF = {51: "R", 53: "R", 1870: "E", 250: "R", 260: "R"}
+"""Words that belong to a code in their line and are no places: the level of G5.1 Q1 R1 (Fanuc), the tolerance
+of G187 P3 E0.01 (Haas)."""
 AXES = "XYZABCUVW"
 INCREMENTED = AXES + "IJKR"
 """Words that count the least increment where they have no decimal point, on the controllers that are set
@@ -219,6 +226,8 @@ _SIEMENS_OWN = {
     6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
 }  # fmt: skip
+FEED_GROUPS = tuple(range(90000, 95000, 10))
+"""Private codes, G9000 to G9499: over which axes F is measured (:mod:`.feed_groups`)."""
 WITHOUT_OFFSET = 5000
 """G500 of Siemens: no settable zero offset is on."""
 POLES = (1100, 1110, 1120)
@@ -228,7 +237,9 @@ SIEMENS = Grammar(
     "siemens",
     {700: 1, 7000: 1, 710: 0, 7100: 0},
     say("neither G70 nor G71 (G700, G710)"),
-    frozenset({*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS} - {490, 434, 435, 2340, 2341, *TILT}),
+    frozenset(
+        {*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS, *FEED_GROUPS} - {490, 434, 435, 2340, 2341, *TILT}
+    ),
     {
         **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
         **dict.fromkeys((530, 740, 750, 1530), HOME),
@@ -249,7 +260,7 @@ HEIDENHAIN = Grammar(
     "heidenhain",
     {210: 0, 200: 1},
     say("neither MM nor INCH in BEGIN PGM"),
-    frozenset(HARMLESS - {530}),
+    frozenset({*HARMLESS, PER_TURN_M} - {530}),
     {530: SHIFT},
     {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL},
     ends=(2, 30),

@@ -18,10 +18,20 @@ from .lines import last_of
 from .positions import Moves
 from .source import Source
 
-NO_FEED = Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F.")
-NO_INVERSE_FEED = Template(
-    "{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block."
+NO_FEED = (
+    Template("1 block has no F above 0 in force; most controllers stop there. Give F."),
+    Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F."),
 )
+NO_INVERSE_FEED = (
+    Template("1 block under G93 has no F of its own; most controllers stop there. Give F in every block."),
+    Template(
+        "{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block."
+    ),
+)
+
+
+NOT_KNOWN = -1.0
+"""The F of a feed that only a Heidenhain control knows; a finding of the text's words has said so."""
 
 
 class Feeds(NamedTuple):
@@ -38,6 +48,7 @@ def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
     lines, at, feeding = source.lines, motions.at, motions.mode != codes.RAPID
     mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.inch(source.grammar), lines.column("F")
     given = np.flatnonzero(~np.isnan(column))
+    as_written = column.copy()
     column[given] *= np.where(inch[given] & (mode[given] != codes.INVERSE), INCH, 1.0)
     last = last_of(given, lines.count)
     changed = last_of(np.flatnonzero(np.diff(mode, prepend=mode[:1])), lines.count)
@@ -45,15 +56,19 @@ def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
     feed = np.where(valid[at] & feeding, column[last[at]], 0.0)
     inverse: Bools = mode[at] == codes.INVERSE
     own = last[at] == at
+    hidden = (source.grammar.name == "heidenhain") & valid[at] & (as_written[last[at]] == NOT_KNOWN)
     cases = (
-        (feeding & ~(feed > 0.0), Code.NO_FEED, NO_FEED),
+        (feeding & ~(feed > 0.0) & ~hidden, Code.NO_FEED, NO_FEED),
         (feeding & inverse & ~own & (feed > 0.0), Code.INVERSE_FEED_MISSING, NO_INVERSE_FEED),
     )
     found = [
         report_finding(
-            code, text.say(count=int(rows.sum())), block=int(rows.argmax()), line=int(at[rows.argmax()])
+            code,
+            texts[int(rows.sum() > 1)].say(count=int(rows.sum())),
+            block=int(rows.argmax()),
+            line=int(at[rows.argmax()]),
         )
-        for rows, code, text in cases
+        for rows, code, texts in cases
         if rows.any()
     ]
     return Feeds(np.where(feed > 0.0, feed, 0.0), inverse, mode[at] == codes.PER_TURN), found

@@ -10,8 +10,8 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Choice, Number, Option, Template, say
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Choice, Number, Option, Template, plural, say
 from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -154,10 +154,12 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
                     int(count),
                 )
             elif letter == "G" and int(value) not in grammar.harmless:
-                text = say(
+                text = plural(
+                    count,
+                    "{name} in NC line {line} is not known and not interpreted; its effect is missing here.",
                     "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
                     name=name,
-                    count=count,
+                    line=int(words.in_file(words.line[at[first]])),
                 )
                 found.append(report_finding(Code.UNKNOWN_CODE, text, float(count), line=line))
         known += [one for kind, named in met.items() for one in kind_findings(kind, named)]
@@ -176,15 +178,26 @@ def _numbers(value: Floats, letter: str) -> Ints:
     return np.asarray(np.where(np.abs(value) < LARGEST_CODE, value, -1.0).astype(np.int64))
 
 
+def _belonging(lines: Lines) -> Bools:
+    """Return which words (w,) belong to a code in their line (:data:`.codes.WORDS_OF`)."""
+    words, found = lines.words, np.zeros(len(lines.words.letter), np.bool_)
+    for code, letters in codes.WORDS_OF.items():
+        if code in lines.code:
+            found |= lines.any_of((code,))[words.line] & np.isin(words.letter, [ord(one) for one in letters])
+    return found
+
+
 def word_findings(lines: Lines, letters: str, guided: bool) -> list[Finding]:
     """Return the words that no axis of the machine and no function takes."""
     words = lines.words
     found, arcs = [], np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any()
     tilts = np.isin(lines.code, codes.TILT).any()
     vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
-    for value, first, count in zip(
-        *np.unique(words.letter, return_index=True, return_counts=True), strict=True
+    at = np.flatnonzero(~_belonging(lines))
+    for value, begin, count in zip(
+        *np.unique(words.letter[at], return_index=True, return_counts=True), strict=True
     ):
+        first = int(at[begin])
         letter, line = chr(value), int(words.line[first])
         if letter in letters or letter in codes.WORDS_IGNORED or letter.islower() or letter == LETTER:
             continue
@@ -197,7 +210,15 @@ def word_findings(lines: Lines, letters: str, guided: bool) -> list[Finding]:
             )
             found.append(report_finding(Code.UNKNOWN_AXIS, text, float(count), line=line))
         elif not ((letter in "IJKR" and arcs) or (letter in "IJK" and (vectors or tilts))):
-            text = say("The {count} words {letter} are not interpreted.", count=count, letter=letter)
+            text = plural(
+                count,
+                "The word {letter} in NC line {line} is not interpreted: what it does is missing here. Post "
+                "without it, or see that it moves nothing and changes no feed.",
+                "{count} words {letter}, the first in NC line {line}, are not interpreted: what they do is "
+                "missing here. Post without them, or see that they move nothing and change no feed.",
+                letter=letter,
+                line=int(words.in_file(words.line[first])),
+            )
             found.append(report_finding(Code.WORD_NOT_INTERPRETED, text, float(count), line=line))
     return found
 
@@ -223,16 +244,26 @@ def start_findings(letters: str, motions: Moves, lines: Lines, grammar: Grammar)
         found.append(report_finding(Code.NO_MOTION_CODE, text, block=block, line=int(motions.at[block])))
     if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
         found.append(_units_finding(motions, lines, grammar))
-    offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
-    if len(offsets) > 1:
+    offsets = _find_offsets(lines, grammar)
+    if offsets > 1:
         text = say(
             "The program uses {count} work offsets; their distance is not known, and the blocks between are "
             "not right.",
-            count=len(offsets),
+            count=offsets,
         )
         found.append(report_finding(Code.WORK_OFFSET_CHANGE, text, line=first))
     found += _without_offset(motions, lines, grammar)
     return found
+
+
+def _find_offsets(lines: Lines, grammar: Grammar) -> int:
+    """Count the work offsets of a program; of numbered ones each P is another."""
+    plain = np.isin(lines.code, grammar.offsets)
+    if grammar.name != "iso" or not np.isin(lines.code, codes.NUMBERED_OFFSETS).any():
+        return len(np.unique(lines.code[plain]))
+    number = np.nan_to_num(lines.column("P"), nan=1.0)[lines.code_line]
+    number = np.where(np.isin(lines.code, codes.NUMBERED_OFFSETS), number, 0.0)
+    return len(np.unique(np.column_stack([lines.code, number])[plain], axis=0))
 
 
 def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Finding]:
@@ -269,11 +300,11 @@ def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
     return report_finding(Code.UNITS_NOT_SAID, text, line=int(motions.at[0]))
 
 
-def point_findings(words: Words) -> tuple[Finding, ...]:
+def point_findings(lines: Lines) -> tuple[Finding, ...]:
     """How many words of axes have no decimal point, and are not 0."""
-    at = np.flatnonzero(
-        words.bare() & np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & (words.value != 0.0)
-    )
+    words = lines.words
+    counted = np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & ~_belonging(lines)
+    at = np.flatnonzero(words.bare() & counted & (words.value != 0.0))
     if not len(at):
         return ()
     text = POINTS.say(

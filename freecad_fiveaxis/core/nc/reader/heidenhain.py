@@ -16,10 +16,15 @@ from __future__ import annotations
 
 import re
 
-from freecad_fiveaxis.core.base.codes import Code
-from freecad_fiveaxis.core.base.sentences import say
-
 from . import codes
+from .heidenhain_feeds import (
+    BY_TOOL,
+    UNKNOWN_FEED,
+    feed_of_call,
+    feeds_of_tools,
+    note_unknown,
+    without_words_of_m,
+)
 from .noted import Notes
 from .plane_calls import heidenhain as plane
 
@@ -53,14 +58,17 @@ SHIFT = re.compile(
     rb"DATUM RESET$"
 )
 """A shift of the zero, told by axes; one of a table is not known here."""
-FEED_BY_NAME = re.compile(rb"F *(?:AUTO|Q[LR]?[0-9]+|MAXT|[UZ](?= *[0-9])|T(?= *[0-9]))")
+FEED_BY_NAME = re.compile(rb"F *Q[LR]?[0-9]+")
+NORMAL = re.compile(rb"(?<![A-Z])N[XYZ] *[-+]? *[0-9]*\.?[0-9]+\.?")
+"""A component of the surface's normal, which moves nothing."""
 PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
 
-PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"), (b"NZ", "n"))
-UNKNOWN_FEED = (Code.FEED_BY_PARAMETER, say("feeds told by a parameter or the tool; F is not known there"))
+PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"))
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
     b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
+    b"FUNCTION MODE SET", b"FUNCTION COUNT", b"FUNCTION S-PULSE", b"FUNCTION LIFTOFF",
+    b"FUNCTION PARAXCOMP DISPLAY",
     b"CYCLE DEF 9.",
 )  # fmt: skip
 """How lines begin that move nothing; a post of old TNCs spells the dwell CYCLE DEF."""
@@ -92,6 +100,7 @@ def plain(text: bytes, notes: Notes) -> bytes:
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
     text = RETRACT.sub(lambda found: _note_word(found, codes.HOME, notes), text) if b"M140" in text else text
+    text = without_words_of_m(feeds_of_tools(text, notes), notes)
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
     text = SAME_SIDE.sub(_blank, text)
     text = CODE_LINE.sub(lambda found: _function(found, notes), text)
@@ -99,7 +108,9 @@ def plain(text: bytes, notes: Notes) -> bytes:
     text = text.replace(b"FMAX", b"G0  ").replace(b" R0 ", b"    ")
     for word, private in PRIVATE:
         text = text.replace(word, private.encode() + b" ")
+    text = NORMAL.sub(_blank, text) if b"N" in text else text
     if b"F" in text:
+        text = BY_TOOL.sub(lambda found: note_unknown(found, notes), text)
         text = FEED_BY_NAME.sub(lambda found: _note_word(found, UNKNOWN_FEED, notes), text)
     if b"Q" in text or b"=" in text or b"#" in text:
         text = PARAMETER.sub(lambda found: _note_word(found, codes.MACRO, notes), text)
@@ -165,7 +176,8 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
         return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))
     if line.startswith((b"TOOL CALL", b"CYCL DEF 247")):
         _note_tool_or_datum(line, found.start(1), notes)
-        return before + b" " * len(found[1])
+        feed = feed_of_call(line) if line.startswith(b"TOOL") else None
+        return before + (b"F" + feed if feed else b"").ljust(len(found[1]))
     word = _word_of(line)
     if word is None:
         _note_function(line, found.start(1), notes)

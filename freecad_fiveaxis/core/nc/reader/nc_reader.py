@@ -34,6 +34,7 @@ from .blocks import build_program, divide_blocks
 from .causes import fold
 from .chords import divide_moves
 from .contour_angles import apply_angles
+from .feed_measure import find_measure
 from .feeds import find_feeds
 from .findings import (
     code_findings,
@@ -108,7 +109,8 @@ def read_in_order(
     unknown, of_codes = code_findings(words, grammar, motions.at[~gaps.inside])
     chords, sharp = divide_moves(source, motions)
     blocks = divide_blocks(motions, feeds, chords)
-    program = build_program(blocks, kinematics, dialect, state.planes)
+    measure = find_measure(source, blocks.at, kinematics.letters)
+    program = build_program(blocks, kinematics, dialect, state.planes, measure)
     findings: tuple[Finding, ...] = (
         *switched, *turned, *unknown, *bent, *word_findings(lines, kinematics.letters, bool(state.on.any())),
         *without_feed, *sharp, *start_findings(kinematics.letters, motions, lines, grammar),

@@ -10,9 +10,10 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Ints
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import plural, say
 
 from .codes import DRILL, PLANE, UNKNOWN, Kind
+from .feed_groups import FeedGroups
 from .plane_calls import Tilt
 from .siemens_cycles import Drill
 
@@ -20,11 +21,13 @@ from .siemens_cycles import Drill
 @dataclass
 class Notes:
     """``met``: by kind and name, the offsets in the text where it stands; ``tilts``: the lines that begin or
-    end a tilted plane, in their order; ``drills``: the calls of drilling cycles."""
+    end a tilted plane, in their order; ``drills``: the calls of drilling cycles;
+    ``feeds``: over which axes F is measured."""
 
     met: dict[tuple[Kind, str], list[int]] = field(default_factory=dict)
     tilts: list[Tilt] = field(default_factory=list)
     drills: list[Drill] = field(default_factory=list)
+    feeds: FeedGroups = field(default_factory=FeedGroups)
 
     def tilt(self, tilt: Tilt) -> bytes:
         """Return the private word for such a line."""
@@ -70,8 +73,13 @@ def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Find
         )
         return [report_finding(code, text, float(count), line=first)]
     for name, (line, count) in [*named.items()][:MOST]:
-        text = say(
-            "{name} stands in {count} lines: {explanation}.", name=name, count=count, explanation=explanation
+        text = plural(
+            count,
+            "{name} stands in NC line {line}: {explanation}.",
+            "{name} stands in {count} lines: {explanation}.",
+            name=name,
+            line=line,
+            explanation=explanation,
         )
         found.append(report_finding(code, text, float(count), line=line))
     return found

@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
+from .feed_groups import FeedGroup
 from .heidenhain_polar import without_polar
 from .noted import Notes
 from .of_machine import NO_MACHINE, OfMachine
@@ -34,7 +35,7 @@ BEHIND_A_CALL = re.compile(b"[%c%c][0-9]+ +[0-9.]" % (ord(codes.PLANE), ord(code
 class Plain:
     """``text`` as plain words; ``source``: the lines of the file that its lines are, where it was run;
     ``findings``; ``tilts``: the lines that begin or end a tilted plane; ``drills``: the calls of drilling
-    cycles; ``cause``: of the findings why it was not run."""
+    cycles; ``cause``: of the findings why it was not run; ``groups``: over which axes F is measured."""
 
     text: bytes
     source: Ints | None
@@ -42,6 +43,7 @@ class Plain:
     tilts: tuple[Tilt, ...]
     drills: tuple[Drill, ...] = ()
     cause: Finding | None = None
+    groups: tuple[FeedGroup, ...] = ()
 
 
 def plain_words(text: bytes, language: str, progress: Progress, of_machine: OfMachine = NO_MACHINE) -> Plain:
@@ -103,8 +105,9 @@ def _with_findings(
         _refuse_digits(text, read.count(b"\n", 0, found.start()), source)
     met = notes.findings(text, source)
     return Plain(
-        read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts), tuple(notes.drills)
-    )
+        read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts),
+        tuple(notes.drills), groups=tuple(notes.feeds.met),
+    )  # fmt: skip
 
 
 def _refuse_digits(text: bytes, row: int, source: Ints | None) -> NoReturn:

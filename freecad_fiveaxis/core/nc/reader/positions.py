@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, inverse_axis, words_to_q
 from freecad_fiveaxis.core.motion.joint_path.branches import choose, within_limits
+from freecad_fiveaxis.core.motion.joint_path.plan import find_crossings
 from freecad_fiveaxis.core.motion.program import standing
 from freecad_fiveaxis.core.motion.program.guided import AT_POLE
 
@@ -256,7 +257,7 @@ def _turn(kinematics: Chain, rotary: Floats, vector: Floats, words: AxisWords, s
 
 def _angles(kinematics: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
     """Rotary words (n, 2) degrees for unit axes (n, 3), and which of them the machine takes up: the way of
-    least travel."""
+    least travel. From one vector to the next the axis is led through the pole where it passes there."""
     branches, sine = inverse_axis(kinematics, axis)
     reached: Bools = np.asarray(~np.isnan(branches).all(axis=(0, 2)))
     angles = branches[:, reached]
@@ -274,8 +275,8 @@ def _angles(kinematics: Chain, axis: Floats, start: Floats) -> tuple[Floats, Boo
         none.any()
     ):  # no way keeps to the limits: the least travel without them, which the check of limits then reports
         low, high = np.full(2, -np.inf), np.full(2, np.inf)
-    steps = len(pole) - 1
-    words, _ = choose(angles, fits, low, high, np.ones(steps, np.bool_), pole[1:] | pole[:-1])
+    _, crossing = find_crossings(axis[reached], kinematics.direction[3])
+    words, _ = choose(angles, fits, low, high, np.ones(len(crossing), np.bool_), crossing)
     found = np.empty((len(axis), 2))
     found[reached] = np.degrees(words)
     return found, reached

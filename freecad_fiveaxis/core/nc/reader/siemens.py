@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 
-from . import codes, corners, siemens_cycles
+from . import codes, corners, feed_groups, siemens_cycles
 from .noted import Notes
 from .plane_calls import cycle800
 from .siemens_cycles import Drill, drill_of
@@ -37,6 +37,11 @@ SIDE = re.compile(
     rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) "
     rb"*=" + NUMBER
 )
+SPINDLE_OR_DRIVE = re.compile(
+    rb"(?<![A-Z0-9_$])(?:SPOSA?|LIMS|ACC|JERKLIM|VELOLIM|FL|FA|STOLF)(?: *\[[^\]\n]*\])? *="
+    rb" *(?:(?:AC|IC|DC|ACP|ACN) *\(" + NUMBER + rb"\)|" + NUMBER.replace(b"(", b"(?:") + rb")"
+)
+"""Where a spindle stops, and limits of drives and of positioning axes: neither place nor F of a block."""
 SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
 ROTATE = re.compile(rb"(?<![A-Z0-9_$])(A)?ROT(?![A-Z0-9_])")
 IN_THE_PLANE = re.compile(rb"(?<![A-Z0-9_$])RPL *=(?= *[-+.0-9])")
@@ -56,6 +61,8 @@ HARMLESS = frozenset(
     CUT3DF CUT3DFF NORM KONT KONTC KONTT DIAMOF UPATH SPATH FIFOCTRL STARTFIFO STOPFIFO G64 FNORM FLIN FCUB CFTCP CFC CFIN
     RTLION RTLIOF OST OSC OSOF OSS OSSE SPOF SPON PTP CP ORICURVE DYNNORM DYNPOS DYNROUGH DYNSEMIFIN DYNFINISH DYNPREC ORISOLH
     EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
+    SPCON SPCOF COMPPATH WALIMON WALIMOF CDON CDOF CDOF2 FENDNORM LFON LFOF SOFTA BRISKA DRIVEA ORIC ORID CPRECON
+    CPRECOF TOROTOF CORROF DRFOF WAITP GET GETD RELEASE CLEARM SETM BLSYNC IPOBRKA
     ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()  # noqa: E501
 )
 SHIFTS = frozenset(
@@ -90,6 +97,8 @@ def plain(text: bytes, notes: Notes) -> bytes:
     """Return the text, in capitals and without comments, as ISO words with the private letters; every line
     stays where it is."""
     text = corners.mark_corners(shifts(without_strings(text)), siemens=True)
+    if b"FG" in text:
+        text = feed_groups.WORD.sub(notes.feeds.word, text)
     text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
         text = _addresses(text, notes)
@@ -155,7 +164,7 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
     if b"TURN" in text:
         text = TURNS.sub(lambda found: codes.TURNS.encode().ljust(len(found[0])), text)
     text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
-    text = SIDE.sub(_blank, text)
+    text = SIDE.sub(_blank, SPINDLE_OR_DRIVE.sub(_blank, text))
     return ORIENTATION.sub(
         lambda found: _note_word(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text
     )

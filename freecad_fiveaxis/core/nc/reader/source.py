@@ -57,7 +57,7 @@ def read_source(
     if assumed.decimal == "least-increment":
         lines = Lines(by_least_increment(lines, grammar), assumed)
     elif dialect is not None and dialect.least_increment:
-        findings += point_findings(lines.words)
+        findings += point_findings(lines)
     source = Source(grammar, lines, whole.findings + in_file(words, findings), whole.cause)
     expansions: tuple[Expansion, ...] = (shift_words, partial(write_out_cycles, controller=controller))
     if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then

@@ -35,6 +35,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 from . import codes, corners, interpreter
 from .called_files import with_called_files
 from .expressions import Unread
+from .feed_groups import FeedGroup
 from .heidenhain import with_unit
 from .no_motion import pass_over
 from .of_machine import NO_MACHINE, OfMachine
@@ -100,8 +101,8 @@ class Words:
     ``text``: what was left of the file when they were read, ``start`` (w,) where they stand in it without its
     blanks. ``source``: where lines of the file were written out as several, ``line`` counts those; ``source``
     (lines + 1,) are the lines of the file that they come from. ``tilts``, ``drills``: what the lines with the
-    private words of a tilted plane and of a drilling cycle say. ``cause``: of the ``findings``, why it was
-    not run."""
+    private words of a tilted plane and of a drilling cycle say; ``groups``: over which axes F is measured.
+    ``cause``: of the ``findings``, why it was not run."""
 
     letter: Bytes
     value: Floats
@@ -112,6 +113,7 @@ class Words:
     source: Ints | None = None
     tilts: tuple[Tilt, ...] = ()
     drills: tuple[Drill, ...] = ()
+    groups: tuple[FeedGroup, ...] = ()
     cause: Finding | None = None
 
     def place(self, word: int) -> str:
@@ -170,7 +172,9 @@ def read_words(
     cause = plain.cause or next(
         (found for found in findings if found.code == codes.MACRO[0] and language == "iso"), None
     )
-    return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=cause)
+    return replace(
+        words, findings=tuple(findings), tilts=tilts, drills=drills, groups=plain.groups, cause=cause
+    )
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
