@@ -29,7 +29,7 @@ def find_closed(contact: ContactPath, keep: Bools) -> Ints:
     first, behind = edge[:-1], edge[1:]
     closed = (contact.point[first] == contact.point[behind - 1]).all(axis=1)
     kept = np.logical_and.reduceat(keep[contact.face], first) if len(first) else closed
-    return np.stack([first, behind], axis=1)[closed & kept]
+    return np.asarray(np.stack([first, behind], axis=1)[closed & kept])
 
 
 def find_start(word: Floats, low: float, high: float) -> int:

@@ -43,10 +43,18 @@ def begin_rings_within_limits(context: MillContext, solved: SolvedJoints) -> Sol
     for stage in AGAIN:
         record = stage(context, record)
     joints: JointPath = record.joints
-    if joints.rewinds >= solved.joints.rewinds:
+    before, after = _count_inside(solved.joints), _count_inside(joints)
+    if (after, joints.rewinds) >= (before, solved.joints.rewinds):
         return solved
-    found = _report_rings(context, solved, joints)
-    return replace(record, joints=replace(joints, findings=(*joints.findings, found)))
+    found = _report_rings(context, before, after)
+    turned: SolvedJoints = replace(record, joints=replace(joints, findings=(*joints.findings, found)))
+    return turned
+
+
+def _count_inside(joints: JointPath) -> int:
+    """Return how many of the rewinds are inside cuts."""
+    between = (one.value for one in joints.findings if one.code == Code.REWINDS_BETWEEN)
+    return joints.rewinds - int(sum(value or 0.0 for value in between))
 
 
 def _turned_rings(context: MillContext, solved: SolvedJoints) -> ContactPath | None:
@@ -79,9 +87,8 @@ def _words_at(joints: JointPath, contact: ContactPath, axis: int) -> Floats:
     return np.asarray(joints.q[cuts[nearest], axis])
 
 
-def _report_rings(context: MillContext, solved: SolvedJoints, joints: JointPath) -> Finding:
+def _report_rings(context: MillContext, before: int, after: int) -> Finding:
     """Say that closed passes begin elsewhere, and what that spares."""
-    before, after = solved.joints.rewinds, joints.rewinds
     text = say(
         "Closed passes begin where {letter} has room for their whole turn within its limits: inside cuts it "
         "turns back {after} times instead of {before}.",
