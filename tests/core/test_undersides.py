@@ -152,6 +152,13 @@ def rewinding(folder, links):
     return made
 
 
+def test_rewinds_between_cuts_keep_the_whole_tool_off(tmp_path):
+    machine = machine_file(tmp_path, "trunnion_ac", C=(-200.0, 200.0), A=(0.0, 120.0))
+    made = milled("mushroom", "trunnion_ac", machine=machine, links="near", passes="zlevel", stepover=7.0)
+    assert {"rewinds-between-cuts"} <= {one.code for one in made.findings} and not gouges(made)
+    assert nearest_to_box(made) > made.settings.links.clearance - 2.5
+
+
 @pytest.mark.thorough
 @some_in_core("links", ["over", "near"], kept=(1,))
 def test_rewinds_keep_the_whole_tool_off_too(tmp_path, links):

@@ -329,7 +329,9 @@ def rewind_findings(
             letter=kinematics.letters[3 + axis],
             before=Angle(before[axis], ".3f", bare=True),
             after=Angle(after[axis], ".3f"),
-            remedy=_say_remedy(kinematics, 3 + axis, _whole_turn(given, stays, step, axis)),
+            remedy=_say_remedy(
+                kinematics, 3 + axis, _whole_turn(given, kinematics, breaks, stays, step, axis)
+            ),
         )
         place = _point(given.path.tip[step])
         findings.append(
@@ -376,27 +378,39 @@ def _report_between(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints
     return [report_finding(Code.REWINDS_BETWEEN, text, float(len(breaks)), block=block, place=place)]
 
 
-def _whole_turn(given: Drive, stays: Bools, step: int, axis: int) -> float | None:
+def _whole_turn(given: Drive, kinematics: Chain, breaks: Ints, stays: Bools, step: int, axis: int) -> float:
     """How far, rad, a rotary word spans along the cut that has the break, if it goes on in place of turning
-    back; None where the branch changes there: then it is not the same way. ``stays`` (n - 1,): steps of
-    cuts."""
+    back. ``stays`` (n - 1,): steps of cuts."""
     free = np.flatnonzero(~stays)
     at = int(np.searchsorted(free, step))
-    first = int(free[at - 1]) + 1 if at else 0
-    last = int(free[at]) if at < len(free) else len(stays)
-    rows = slice(first, last + 1)
-    if given.branch[step] != given.branch[step + 1]:
-        return None
-    turn = np.diff(given.angles[rows, axis])
+    rows = slice(int(free[at - 1]) + 1 if at else 0, int(free[at]) + 1 if at < len(free) else None)
+    word = _words_going_on(given, kinematics, breaks, rows, axis)
+    turn = np.diff(word)
     turn -= TURN * np.rint(turn / TURN)
     return float(np.ptp(np.concatenate([[0.0], np.cumsum(turn)])))
 
 
-def _say_remedy(kinematics: Chain, axis: int, whole: float | None) -> str:
+def _words_going_on(given: Drive, kinematics: Chain, breaks: Ints, rows: slice, axis: int) -> Floats:
+    """Return a rotary word at the ``rows``, but for whole turns, as if no break changed the branch; without
+    rows at the pole where one does."""
+    branch, tool = given.branch[rows], given.path.axis[rows]
+    begin = rows.start
+    within = breaks[(breaks >= begin) & (breaks < begin + len(branch) - 1)] - begin
+    changes = np.zeros(len(branch), np.bool_)
+    changes[within + 1] = branch[within + 1] != branch[within]
+    other = np.flatnonzero(np.cumsum(changes) % 2)
+    word = given.angles[rows, axis].copy()
+    word[other] = inverse_axis(kinematics, tool[other])[0][1 - branch[other], np.arange(len(other)), axis]
+    pole = np.linalg.norm(np.cross(tool[other], kinematics.direction[3]), axis=1) <= POLE_ANGLE
+    word[other[pole]] = np.nan
+    return np.asarray(word[~np.isnan(word)])
+
+
+def _say_remedy(kinematics: Chain, axis: int, whole: float) -> str:
     """Say what avoids a rewind, and whether the axis is too short for the path or only lies otherwise.
     ``whole`` rad as :func:`_whole_turn` gives it."""
     width = float(kinematics.high[axis] - kinematics.low[axis])
-    if whole is None or not np.isfinite(width):
+    if not np.isfinite(width):
         return say("Wider limits or another setup avoid it.")
     given = {"letter": kinematics.letters[axis], "whole": Angle(np.degrees(whole), ".1f", bare=True)}
     if whole > width - NO_ROOM:
