@@ -59,7 +59,7 @@ class JointPath:
     rows; ``row`` (n,) the row of the given CL path that each row came from (an inserted row has that of the
     row which it leads to); ``q`` (n, 5) words before rounding in the order X Y Z, first rotary, second rotary
     (rotary: nearer to the work first), mm and rad, turns not folded; ``branch`` (n,) 0 or 1; ``sine`` (n,)
-    singularity measure, 0 at the pole; ``rewinds``: how often the rotary axes turn back inside a cut.
+    singularity measure, 0 at the pole; ``rewinds``: how often the rotary axes turn back, the tool retracted.
     """
 
     path: CLPath
