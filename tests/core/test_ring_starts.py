@@ -176,6 +176,6 @@ def test_where_nothing_has_to_turn_back_rings_begin_where_they_did(tmp_path, mon
     assert milled(tmp_path, -400.0, 400.0).nc == made.nc
 
 
-def test_the_stages_that_turned_rings_go_through_again_are_those_up_to_the_joints():
+def test_the_stages_that_turn_rings_go_through_again_are_those_up_to_the_joints():
     again = milling.STAGES[1 : milling.STAGES.index(begin_rings.begin_rings_within_limits)]
     assert again == begin_rings.AGAIN

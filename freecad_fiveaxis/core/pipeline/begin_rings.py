@@ -36,7 +36,7 @@ AGAIN = (
 
 def begin_rings_within_limits(context: MillContext, solved: SolvedJoints) -> SolvedJoints:
     """Begin closed passes elsewhere, where a rotary axis then turns back inside cuts less often."""
-    contact = _turned_rings(context, solved)
+    contact = _turn_rings(context, solved)
     if contact is None:
         return solved
     record: Any = PlannedPasses(contact, solved.frame, solved.findings)
@@ -53,11 +53,11 @@ def begin_rings_within_limits(context: MillContext, solved: SolvedJoints) -> Sol
 
 def _count_inside(joints: JointPath) -> int:
     """Return how many of the rewinds are inside cuts."""
-    between = (one.value for one in joints.findings if one.code == Code.REWINDS_BETWEEN)
+    between = (one.value for one in joints.findings if one.code == Code.REWINDS_BETWEEN_CUTS)
     return joints.rewinds - int(sum(value or 0.0 for value in between))
 
 
-def _turned_rings(context: MillContext, solved: SolvedJoints) -> ContactPath | None:
+def _turn_rings(context: MillContext, solved: SolvedJoints) -> ContactPath | None:
     """Return the passes with their rings begun where they fit best; None where nothing is to be gained."""
     axis = _wide_axis(context) if solved.joints.rewinds else None
     closed = np.empty((0, 2), np.int64) if axis is None else find_closed(solved.contact, context.keep)
@@ -96,4 +96,4 @@ def _report_rings(context: MillContext, before: int, after: int) -> Finding:
         after=after,
         before=before,
     )
-    return report_finding(Code.RINGS_BEGUN, text, float(before - after), unit="1")
+    return report_finding(Code.RINGS_BEGUN_ELSEWHERE, text, float(before - after), unit="1")

@@ -375,7 +375,7 @@ def _report_between(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints
         letter=kinematics.letters[3 + axis],
     )
     block, place = int(np.searchsorted(driven.row, step + 1)), _point(given.path.tip[step])
-    return [report_finding(Code.REWINDS_BETWEEN, text, float(len(breaks)), block=block, place=place)]
+    return [report_finding(Code.REWINDS_BETWEEN_CUTS, text, float(len(breaks)), block=block, place=place)]
 
 
 def _whole_turn(given: Drive, kinematics: Chain, breaks: Ints, stays: Bools, step: int, axis: int) -> float:
