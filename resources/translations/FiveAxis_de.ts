@@ -4740,6 +4740,10 @@
         <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen.</translation>
     </message>
     <message>
+        <source>Closed passes begin where {letter} has room for their whole turn within its limits: inside cuts it turns back {after} times instead of {before}.</source>
+        <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für die ganze Umdrehung hat: mitten im Schnitt dreht sie {after}-mal zurück statt {before}-mal.</translation>
+    </message>
+    <message>
         <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
         <translation>Die Achsgruppen nacheinander bewegen oder, wenn die Steuerung Eilgänge interpoliert, dies in der Maschinendatei oder mit {rapids} angeben.</translation>
     </message>
@@ -4870,6 +4874,14 @@
     <message>
         <source>In the present setup tool or spindle hit the machine.</source>
         <translation>In der jetzigen Aufspannung treffen Werkzeug oder Spindel die Maschine.</translation>
+    </message>
+    <message>
+        <source>In this cut {letter} takes {whole} and has {width}, but begins where that does not fit: the part turned about {letter}, or limits that lie otherwise, avoid it.</source>
+        <translation>In diesem Schnitt braucht {letter} {whole} und hat {width}, beginnt aber, wo das nicht passt: das Werkstück um {letter} gedreht oder anders liegende Grenzen vermeiden das.</translation>
+    </message>
+    <message>
+        <source>In this cut {letter} takes {whole} and has {width}: wider limits or shorter passes avoid it.</source>
+        <translation>In diesem Schnitt braucht {letter} {whole} und hat {width}: weitere Grenzen oder kürzere Bahnen vermeiden das.</translation>
     </message>
     <message>
         <source>In {count} blocks F would be below one step; they run faster than programmed. Use G93.</source>
@@ -5784,6 +5796,10 @@
         <translation>Während Rundachsen drehen, tragen gerade Bewegungen der Achsen die Werkzeugspitze auf einer Kurve neben der Sollstrecke.</translation>
     </message>
     <message>
+        <source>Wider limits or another setup avoid it.</source>
+        <translation>Weitere Grenzen oder eine andere Aufspannung vermeiden das.</translation>
+    </message>
+    <message>
         <source>With a tool that sticks out {more} farther an axis is free on about {share} % of that.</source>
         <translation>Mit einem Werkzeug, das {more} weiter auskragt, ist auf etwa {share} % davon eine Achse frei.</translation>
     </message>
@@ -6352,6 +6368,10 @@
         <translation>im Uhrzeigersinn</translation>
     </message>
     <message>
+        <source>closed passes begin where a rotary axis has room</source>
+        <translation>geschlossene Bahnen beginnen, wo eine Drehachse Platz hat</translation>
+    </message>
+    <message>
         <source>co-edge tolerance</source>
         <translation>die Kantentoleranz</translation>
     </message>
@@ -6730,6 +6750,10 @@
     <message>
         <source>how high the jaws of a vise may reach beside the part</source>
         <translation>wie hoch die Backen eines Schraubstocks neben dem Teil reichen dürfen</translation>
+    </message>
+    <message>
+        <source>how many times a rotary axis turns back between cuts</source>
+        <translation>wie oft eine Drehachse zwischen Schnitten zurückdreht</translation>
     </message>
     <message>
         <source>how many times a rotary axis turns back inside a cut</source>
@@ -9348,6 +9372,10 @@
         <translation>{count} Anweisungen, Zeilen {lines}</translation>
     </message>
     <message>
+        <source>{count} times the limits of {letter} make the tool retract and turn back above the part between two cuts: that takes time and leaves no mark.</source>
+        <translation>{count}-mal lassen die Grenzen von {letter} das Werkzeug zwischen zwei Schnitten freifahren und über dem Werkstück zurückdrehen: das kostet Zeit und hinterlässt keine Marke.</translation>
+    </message>
+    <message>
         <source>{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.</source>
         <translation>{count}-mal lassen die Grenzen der Rundachsen das Werkzeug mitten im Schnitt freifahren, zurückdrehen und wieder eintauchen.</translation>
     </message>
@@ -9616,8 +9644,8 @@
         <translation>{letter} kann innerhalb der Grenzen {low} bis {high} nicht um {angle} drehen</translation>
     </message>
     <message>
-        <source>{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it.</source>
-        <translation>{letter} muss mitten im Schnitt von {before} auf {after} zurückdrehen: das Werkzeug fährt frei, dreht über dem Werkstück und taucht wieder ein, was eine Marke hinterlassen kann. Weitere Grenzen oder eine andere Aufspannung vermeiden das.</translation>
+        <source>{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the part and re-engages, which may leave a mark. {remedy}</source>
+        <translation>{letter} muss mitten im Schnitt von {before} auf {after} zurückdrehen: das Werkzeug fährt frei, dreht über dem Werkstück und taucht wieder ein, was eine Marke hinterlassen kann. {remedy}</translation>
     </message>
     <message>
         <source>{letter} is another axis: the post turns it about {way}, {name} about {own}.</source>

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.base import columns
 from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.motion.joint_path import branches
 from freecad_fiveaxis.core.motion.joint_path.branches import (
+    BETWEEN,
     BREAK,
     SMALL_TURN,
     TURN,
@@ -26,10 +27,11 @@ FREE = (-math.inf, math.inf)
 
 
 def step_cost(before, after, cutting, crossing):
-    """Cost of a step between two states (branch, q1, q2), written down as the module's head defines it."""
+    """Cost of a step between two states (branch, q1, q2), written down as the module's head defines it.
+    ``cutting``: True, False or the weight of a break."""
     turns = [abs(b - a) for a, b in zip(before[1:], after[1:], strict=True)]
     changes = before[0] != after[0] and not crossing and sum(turns) > SMALL_TURN
-    return sum(turns) + BREAK * (cutting and (changes or max(turns) > math.pi + 1e-9))
+    return sum(turns) + BREAK * float(cutting) * (changes or max(turns) > math.pi + 1e-9)
 
 
 def states_of(angles, limits):
@@ -95,6 +97,24 @@ def test_the_way_found_costs_as_much_as_the_cheapest_of_all(limits, rows):
         assert (words >= low).all() and (words <= high).all()
         own = angles[branch, np.arange(rows)]
         np.testing.assert_allclose(np.cos(words - own), 1.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("limits", [((-3.5, 3.5), FREE), ((-3.3, 3.3), (-3.3, 3.3))])
+def test_with_breaks_of_different_weight_the_cheapest_way_is_found_too(limits):
+    rng = np.random.default_rng(8)
+    low, high = np.array(limits).T
+    seldom, differ = 0, 0
+    for _ in range(60 if limits[1] != FREE else 20):
+        angles, cutting, crossing = random_case(rng, 5)
+        weight = np.where(rng.random(4) < 0.5, BETWEEN, 1.0) * cutting
+        fits = within_limits(angles, low, high)
+        words, branch = choose(angles, fits, low, high, weight, crossing)
+        least = least_cost(angles, limits, weight, crossing)
+        assert cost_of(words, branch, weight, crossing) == pytest.approx(least, abs=1e-7)
+        before, other = choose(angles, fits, low, high, cutting, crossing)
+        differ += cost_of(before, other, weight, crossing) > least + 0.1 * BREAK
+        seldom += find_broken_steps(words, branch, cutting, crossing).any()
+    assert limits[1] == FREE or (seldom and differ)
 
 
 def test_a_branch_that_the_limits_forbid_is_not_taken():

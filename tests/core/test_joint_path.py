@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsErr
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, branch_of, chain, forward, inverse_axis
-from freecad_fiveaxis.core.motion.joint_path import solve
+from freecad_fiveaxis.core.motion.joint_path import plan, solve
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 LOW, HIGH, CLEARANCE = np.array([-25.0, -25.0, -30.0]), np.array([25.0, 25.0, 5.0]), 4.0
@@ -292,6 +292,79 @@ def test_five_turns_within_limits_rewind_as_seldom_as_possible(limit, rewinds):
     assert np.abs(joints.q[:, 3]).max() <= math.radians(limit)
     cutting = joints.path.motion[1:] < Motion.LINK
     assert np.abs(np.diff(joints.q[:, 3]))[cutting].max() <= math.radians(5.0) + 1e-9
+
+
+def told(joints, code):
+    return [one for one in joints.findings if one.code == code]
+
+
+ONE_SIDE = {"first": (-200.0, 200.0), "second": (0.0, 110.0)}
+"""Limits, deg, of an axis that has 400 deg, and of one that leans to one side: there is one branch."""
+
+
+@pytest.mark.parametrize("start", [0.0, 0.7, 2.0, 4.1])
+@pytest.mark.parametrize("second", [(0.0, 110.0), (-110.0, 110.0)])
+def test_a_cut_that_turns_farther_than_the_limits_are_wide_says_how_far(second, start):
+    path, kinematics = (
+        circling(410.0 / 360.0, start=start),
+        kinematics_of("head_b_table_c", (-200, 200), second),
+    )
+    joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
+    (one,) = told(joints, "rewind")
+    assert "takes 410.0 and has 400.0 deg: wider limits" in one.text and joints.rewinds == 1
+
+
+def test_a_cut_that_fits_begins_on_the_turn_that_fits_and_else_says_that_it_only_begins_elsewhere():
+    """A cut of 367 deg within 400 fits where it begins in 33 of 360 deg: there no way turns back."""
+    kinematics, fitting = kinematics_of("head_b_table_c", **ONE_SIDE), 0
+    for start in np.radians(np.arange(0.0, 360.0, 8.0)):
+        joints = solve(circling(367.0 / 360.0, start=start), kinematics, LOW, HIGH, CLEARANCE)
+        turned = [one.text for one in told(joints, "rewind")]
+        assert all("takes 367.0 and has 400.0 deg, but begins where" in text for text in turned)
+        assert np.abs(joints.q[:, 3]).max() <= math.radians(200.0) and len(turned) == joints.rewinds <= 1
+        fitting += not turned
+    assert fitting == pytest.approx(45 * 33 / 360, abs=1.0)
+
+
+def arcs(count, start):
+    """Cuts of 88 deg, each beginning 2 deg behind the end of the one before, after a link."""
+    path = joined(*(circling(88.0 / 360.0, start=math.radians(start + 90.0 * k)) for k in range(count)))
+    motion = path.motion.copy()
+    motion[1:][motion[1:] == Motion.RAPID] = Motion.LINK
+    return replace(path, motion=motion)
+
+
+def inside(joints, path):
+    """How many rewinds lie on steps to rows that are cut."""
+    jumps = np.flatnonzero(np.abs(np.diff(joints.q[given_rows(joints), 3])) > math.pi)
+    return int((path.motion[jumps + 1] == Motion.CUT).sum())
+
+
+def test_an_axis_rather_turns_back_between_two_cuts_than_inside_one(monkeypatch):
+    """From -170 to 368 deg within 400: it turns back somewhere from 160 to 200 deg, and at 188 deg there is a
+    link."""
+    path, kinematics = arcs(6, -170.0), kinematics_of("head_b_table_c", **ONE_SIDE)
+    joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
+    assert joints.rewinds == 1 and not inside(joints, path) and not told(joints, "rewind")
+    (one,) = told(joints, "rewinds-between-cuts")
+    assert one.value == 1.0 and one.severity == Severity.NOTE and one.block is not None
+    monkeypatch.setattr(plan, "BETWEEN", 1.0)
+    before = solve(path, kinematics, LOW, HIGH, CLEARANCE)
+    assert before.rewinds == 1 and inside(before, path) == 1 and told(before, "rewind")
+
+
+def test_a_way_without_a_break_is_not_chosen_anew(monkeypatch):
+    asked, choose = [], plan.choose
+
+    def spied(*given):
+        asked.append(given)
+        return choose(*given)
+
+    monkeypatch.setattr(plan, "choose", spied)
+    solve(circling(1.0), kinematics_of("head_b_table_c"), LOW, HIGH, CLEARANCE)
+    assert len(asked) == 1
+    solve(circling(1.5), kinematics_of("head_b_table_c", first=(-180.0, 180.0)), LOW, HIGH, CLEARANCE)
+    assert len(asked) == 3
 
 
 def test_a_rewind_leaves_along_the_axis_and_comes_back_to_the_same_place():

@@ -146,10 +146,17 @@ def test_a_machine_that_turns_right_round_cuts_the_underside(tmp_path, name, let
 
 def rewinding(folder, links):
     """The mushroom on a machine that has to turn back inside cuts."""
-    machine = machine_file(folder, "trunnion_ac", C=(-200.0, 200.0), A=(0.0, 120.0))
+    machine = machine_file(folder, "trunnion_ac", C=(-170.0, 190.0), A=(0.0, 120.0))
     made = milled("mushroom", "trunnion_ac", machine=machine, links=links, passes="zlevel", stepover=7.0)
     assert any(one.code == "rewind" for one in made.findings)
     return made
+
+
+def test_rewinds_between_cuts_keep_the_whole_tool_off(tmp_path):
+    machine = machine_file(tmp_path, "trunnion_ac", C=(-200.0, 200.0), A=(0.0, 120.0))
+    made = milled("mushroom", "trunnion_ac", machine=machine, links="near", passes="zlevel", stepover=7.0)
+    assert {"rewinds-between-cuts"} <= {one.code for one in made.findings} and not gouges(made)
+    assert nearest_to_box(made) > made.settings.links.clearance - 2.5
 
 
 @pytest.mark.thorough

@@ -217,6 +217,18 @@ class Code(str, Enum):
     RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
     REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut, with the tool retracted"
     REWINDS = "rewinds", WARNING, "1", "how many times a rotary axis turns back inside a cut"
+    REWINDS_BETWEEN_CUTS = (
+        "rewinds-between-cuts",
+        NOTE,
+        "1",
+        "how many times a rotary axis turns back between cuts",
+    )
+    RINGS_BEGUN_ELSEWHERE = (
+        "rings-begun-elsewhere",
+        NOTE,
+        "1",
+        "closed passes begin where a rotary axis has room",
+    )
     LIMIT = "limit", ERROR, "mm", "an axis leaves its limits"
     FEED_ABOVE_LARGEST = "feed-above-largest", NOTE, "mm/min", "F exceeds the controller's largest"
     FEED_BELOW_STEP = "feed-below-step", WARNING, "mm/min", "F lies below the controller's smallest step"

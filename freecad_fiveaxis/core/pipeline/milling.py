@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .assign_axes import assign_axes, correct_axes, tilt_axes
+from .begin_rings import begin_rings_within_limits
 from .build_path import keep_links_near, lead_in_and_out, lift_path, link_passes
 from .context import MillContext
 from .mill_context import find_region
@@ -34,6 +35,7 @@ STAGES: tuple[Stage, ...] = (
     keep_links_near,
     lead_in_and_out,
     solve_joints,
+    begin_rings_within_limits,
     keep_links_off_bodies,
     keep_rapids_clear,
     write_program,

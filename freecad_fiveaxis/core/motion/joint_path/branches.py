@@ -7,7 +7,7 @@ winding   which turn a rotary word lies on: words that differ by whole turns are
 travel    |change of the first rotary word| + |change of the second|, rad, summed over the steps.
 break     a step of a cutting move that cannot be driven while the tool cuts: a word would have to change by
           more than half a turn, or the branch would change away from the pole. It costs BREAK on top of its
-          travel.
+          travel, or the share of it that the step's weight is.
 
 The rows are the layers of a graph and the states its nodes, so the best way is a shortest path over layers: a
 product of matrices in (min, +) algebra. It is exact. A scan on two levels keeps Python out of the rows: the
@@ -22,9 +22,9 @@ gate      a step where the branch may change without a break: of a rapid, at the
 run       of a branch: the steps between gates, each way through them on one branch: one step of a much
           shorter graph.
 
-Of the ways that change branch at gates only, the shorter graph has the best. Any other way costs a break more
-than every step at its least; so the best one is the best of all where it costs less than that, and mostly no
-other search is needed.
+Of the ways that change branch at gates only, the shorter graph has the best. Any other way costs a break, the
+cheapest one, more than every step at its least; so the best one is the best of all where it costs less than
+that, and mostly no other search is needed.
 """
 
 from __future__ import annotations
@@ -45,6 +45,9 @@ need."""
 POLE_ANGLE = math.radians(0.5e-4)
 """So near to the pole (rad) the axis is taken as the pole: half a step of a rotary word with four decimals of
 a degree."""
+BETWEEN = 0.5
+"""Weight of a break between two cuts: the tool leaves the part there anyway, and no mark stays. Two of them
+are no worse than one inside a cut."""
 SLACK = 1e-9
 """Rounding allowed to a word at its limit, rad: far below any controller's step."""
 PREFER_ZERO = 1e-9
@@ -84,7 +87,7 @@ def choose(
     fits: Bools,
     low: Floats,
     high: Floats,
-    cutting: Bools,
+    cutting: Bools | Floats,
     crossing: Bools,
     progress: Progress = silent,
 ) -> tuple[Floats, Bytes]:
@@ -92,7 +95,7 @@ def choose(
 
     ``angles`` (2, n, 2) rad of both branches in (-pi, pi]; ``fits`` (2, n) from :func:`within_limits`, at
     least one of the two true at every row; ``low``, ``high`` (2,) rad; ``cutting`` and ``crossing`` (n - 1,):
-    the step is made while the tool cuts; the step goes through the pole.
+    the step is made while the tool cuts, or the weight of a break on it; the step goes through the pole.
     """
     wraps = [True, True]
     while True:
@@ -190,7 +193,9 @@ def _layers(angles: Floats, fits: Bools, low: Floats, high: Floats, wraps: list[
     return Layers(word[:, used], fits[used], branch[used].astype(np.int8), wraps)
 
 
-def _solve(layers: Layers, cutting: Bools, crossing: Bools, progress: Progress) -> tuple[Floats, Bytes]:
+def _solve(
+    layers: Layers, cutting: Bools | Floats, crossing: Bools, progress: Progress
+) -> tuple[Floats, Bytes]:
     """Return the best states' words (n, 2), unwound where they wrap, and branch (n,)."""
     entry = PREFER_ZERO * np.abs(layers.word[:, :, 0]).sum(0)
     entry[~layers.fits[:, 0]] = math.inf
@@ -236,14 +241,14 @@ def _nearest(step: Floats) -> Floats:
 
 
 def _step_cost(
-    layers: Layers, cutting: Bools, crossing: Bools, start: slice | Ints, end: slice | Ints
+    layers: Layers, cutting: Bools | Floats, crossing: Bools, start: slice | Ints, end: slice | Ints
 ) -> Floats:
     """Cost (s, s, m) of the m steps from the rows ``start`` to the rows ``end`` after them, from state to
     state."""
     this_word, next_word, held = (
         layers.word[:, :, start],
         layers.word[:, :, end],
-        np.where(cutting[start], BREAK, 0.0),
+        np.asarray(BREAK * cutting[start]),
     )
     banned = np.where(crossing[start], 0.0, held)
     closed, count = np.where(layers.fits[:, end], 0.0, math.inf), len(layers.branch)
@@ -268,7 +273,7 @@ def _step_cost(
 
 
 def _by_branch_runs(
-    layers: Layers, entry: Floats, cutting: Bools, crossing: Bools, progress: Progress
+    layers: Layers, entry: Floats, cutting: Bools | Floats, crossing: Bools, progress: Progress
 ) -> Ints | None:
     """Return the best states (n,) where both words wrap; None where changing branch at gates only is not
     proven to be the best."""
@@ -284,15 +289,18 @@ def _by_branch_runs(
     starts, costs, bounds = zip(*parts, strict=True)
     cost, start, least = np.concatenate(costs, 2), np.concatenate([*starts, [len(cutting)]]), sum(bounds)
     state = least_path(entry, lambda first, last: cost[:, :, first:last], cost.shape[2])
+    cheapest = BREAK * float(np.where(cutting > 0, cutting, 1.0).min())
     total = entry[state[0]] + cost[state[:-1], state[1:], np.arange(len(state) - 1)].sum()
     if (
-        not total <= least + BREAK - TURN
+        not total <= least + cheapest - TURN
     ):  # a step on the nearest windings is half a turn of each word at most
         return None
     return np.repeat(state, np.diff(start, append=len(cutting) + 1))
 
 
-def _branch_runs(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
+def _branch_runs(
+    layers: Layers, cutting: Bools | Floats, crossing: Bools, rows: slice
+) -> tuple[Ints, Floats, float]:
     """Return the steps ``rows`` cut into gates and branch runs of at most LONGEST steps: the first step of
     each, their costs (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may
     follow, on a branch run's only one."""
@@ -302,7 +310,7 @@ def _branch_runs(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -
     stay[~layers.fits[:, after]] = math.inf
     swap = _nearest(second[::-1, 1:] - second[:, :-1])
     small = np.minimum(swap[0], swap[1]) <= SMALL_TURN
-    gate = np.flatnonzero(~cutting[rows] | crossing[rows] | small)
+    gate = np.flatnonzero((cutting[rows] == 0) | crossing[rows] | small)
     free = _step_cost(layers, cutting, crossing, rows.start + gate, rows.start + gate + 1)
     least = np.minimum(stay[0], stay[1])
     least[gate] = free.min((0, 1))

@@ -34,7 +34,7 @@ from freecad_fiveaxis.core.motion.short_travel import say_remedy_beyond_limit
 from freecad_fiveaxis.core.tool.body import Body, Piece
 from freecad_fiveaxis.core.toolpath.cl_path import SAFE_MARGIN, CLPath, Motion
 
-from .branches import POLE_ANGLE, choose, find_broken_steps, within_limits
+from .branches import BETWEEN, POLE_ANGLE, choose, find_broken_steps, within_limits
 from .rewind import Drive, insert_rewinds, rewind_findings, subdivide_rapids
 
 POINT = Body((Piece(0.0, 0.0, 0.0, 0.0, 0.0),))
@@ -59,7 +59,7 @@ class JointPath:
     rows; ``row`` (n,) the row of the given CL path that each row came from (an inserted row has that of the
     row which it leads to); ``q`` (n, 5) words before rounding in the order X Y Z, first rotary, second rotary
     (rotary: nearer to the work first), mm and rad, turns not folded; ``branch`` (n,) 0 or 1; ``sine`` (n,)
-    singularity measure, 0 at the pole; ``rewinds``: how often the rotary axes turn back inside a cut.
+    singularity measure, 0 at the pole; ``rewinds``: how often the rotary axes turn back, the tool retracted.
     """
 
     path: CLPath
@@ -85,6 +85,7 @@ def solve(
     the body as seen from the driven point (:func:`~freecad_fiveaxis.core.tool.body.lower_body`), None: the
     ball alone. ``blocked``: where the machine is in its own way; there the other branch is taken, where it is
     free. Rotary words may jump on rapids that go above the part; a rapid beside it drives on as a cut does.
+    Where no way does without a break, one between two cuts is preferred to one inside a cut.
     Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of
     the chord, and within the safe plane's margin. Each break gives a warning, each linear axis beyond its
     limits an error. Raises ReachError where the machine cannot take up an axis within its rotary limits,
@@ -105,12 +106,19 @@ def solve(
     angles = _angles(kinematics, path.axis, pole)
     fits = _reachable(kinematics, path, angles, pole)
     cutting = ~_above(path, high[2] + clearance)
-    words, branch = choose(angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress)
+    between = path.motion[1:] == Motion.LINK
+
+    def choose_words(fits: Bools) -> tuple[Floats, Bytes]:
+        low, high = kinematics.low[3:], kinematics.high[3:]
+        words, branch = choose(angles, fits, low, high, cutting, crossing, progress)
+        if not find_broken_steps(words, branch, cutting, crossing).any():
+            return words, branch
+        weight = np.where(between, BETWEEN, 1.0) * cutting
+        return choose(angles, fits, low, high, weight, crossing, progress)
+
+    words, branch = choose_words(fits)
     if blocked is not None and blocked(path.tip, path.axis, words).any():
-        fits = _free_of_machine(path, angles, fits, blocked)
-        words, branch = choose(
-            angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress
-        )
+        words, branch = choose_words(_free_of_machine(path, angles, fits, blocked))
     _place_turns(path, pole, words, branch)
     _hold_stand_ins(words, kinematics)
     breaks = np.flatnonzero(find_broken_steps(words, branch, cutting, crossing))
@@ -120,7 +128,7 @@ def solve(
     )
     drive = subdivide_rapids(drive, kinematics, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
-    findings = rewind_findings(start, drive, kinematics, breaks, gaps)
+    findings = rewind_findings(start, drive, kinematics, breaks, gaps, cutting, between)
     return replace(_finish(drive, kinematics, findings), rewinds=len(breaks))
 
 

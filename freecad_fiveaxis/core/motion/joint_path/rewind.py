@@ -55,6 +55,8 @@ ROUND = (
 )
 """Motions to the tips of a rewind: leave, clear of the part, beside it, above it; turned there, beside,
 clear, enter."""
+NO_ROOM = np.radians(0.1)
+"""Room (rad) that an axis has beyond a cut below which no place to begin it is found."""
 LISTED = 20
 """Rewinds that get a finding of their own; one more finding gives the number of all."""
 
@@ -304,34 +306,46 @@ def _evenly(drive: Drive, arrival: Ints, pieces: Ints) -> tuple[Floats, Floats, 
 
 
 def rewind_findings(
-    given: Drive, driven: Drive, kinematics: Chain, breaks: Ints, uncut: Floats
+    given: Drive,
+    driven: Drive,
+    kinematics: Chain,
+    breaks: Ints,
+    uncut: Floats,
+    cutting: Bools,
+    between: Bools,
 ) -> tuple[Finding, ...]:
-    """Return a warning for each of the first breaks, one with their number, and one for what they leave
-    uncut."""
+    """Return a warning for each of the first breaks inside cuts, one with their number, a note with the
+    number of those between cuts, and a warning for what they leave uncut. ``cutting`` (n - 1,): steps of
+    ``given`` on which the words cannot jump; ``between`` (n - 1,): those that touch nothing."""
     findings = []
-    for step in breaks[:LISTED].tolist():
+    inside, stays = breaks[~between[breaks]], cutting & ~between
+    for step in inside[:LISTED].tolist():
         block = int(np.searchsorted(driven.row, step + 1))
         before, after = np.degrees(given.angles[step : step + 2])
         axis = int(np.abs(after - before).argmax())
         text = say(
             "{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns "
-            "above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it.",
+            "above the part and re-engages, which may leave a mark. {remedy}",
             letter=kinematics.letters[3 + axis],
             before=Angle(before[axis], ".3f", bare=True),
             after=Angle(after[axis], ".3f"),
+            remedy=_say_remedy(
+                kinematics, 3 + axis, _whole_turn(given, kinematics, breaks, stays, step, axis)
+            ),
         )
         place = _point(given.path.tip[step])
         findings.append(
             report_finding(Code.REWIND, text, float(abs(after - before)[axis]), block=block, place=place)
         )
-    if len(breaks) > 1:
+    if len(inside) > 1:
         text = say(
             "{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.",
-            count=len(breaks),
+            count=len(inside),
         )
         findings.append(
-            replace(findings[0], code=Code.REWINDS, text=text, value=float(len(breaks)), unit="1")
+            replace(findings[0], code=Code.REWINDS, text=text, value=float(len(inside)), unit="1")
         )
+    findings += _report_between(given, driven, kinematics, breaks[between[breaks]])
     if (uncut > 0.0).any():
         worst = int(uncut.argmax())
         text = say(
@@ -346,6 +360,71 @@ def rewind_findings(
             report_finding(Code.UNCUT, text, float(uncut[worst]), 0.0, block, place=place, unit="mm")
         )
     return tuple(findings)
+
+
+def _report_between(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints) -> list[Finding]:
+    """Say how many of the ``breaks`` (b,) lie between two cuts, where they harm nothing."""
+    if not len(breaks):
+        return []
+    step = int(breaks[0])
+    axis = int(np.abs(given.angles[step + 1] - given.angles[step]).argmax())
+    text = say(
+        "{count} times the limits of {letter} make the tool retract and turn back above the part between two "
+        "cuts: that takes time and leaves no mark.",
+        count=len(breaks),
+        letter=kinematics.letters[3 + axis],
+    )
+    block, place = int(np.searchsorted(driven.row, step + 1)), _point(given.path.tip[step])
+    return [report_finding(Code.REWINDS_BETWEEN_CUTS, text, float(len(breaks)), block=block, place=place)]
+
+
+def _whole_turn(given: Drive, kinematics: Chain, breaks: Ints, stays: Bools, step: int, axis: int) -> float:
+    """How far, rad, a rotary word spans along the cut that has the break, if it goes on in place of turning
+    back. ``stays`` (n - 1,): steps of cuts."""
+    free = np.flatnonzero(~stays)
+    at = int(np.searchsorted(free, step))
+    rows = slice(int(free[at - 1]) + 1 if at else 0, int(free[at]) + 1 if at < len(free) else None)
+    word = _words_going_on(given, kinematics, breaks, rows, axis)
+    turn = np.diff(word)
+    turn -= TURN * np.rint(turn / TURN)
+    return float(np.ptp(np.concatenate([[0.0], np.cumsum(turn)])))
+
+
+def _words_going_on(given: Drive, kinematics: Chain, breaks: Ints, rows: slice, axis: int) -> Floats:
+    """Return a rotary word at the ``rows``, but for whole turns, as if no break changed the branch; without
+    rows at the pole where one does."""
+    branch, tool = given.branch[rows], given.path.axis[rows]
+    begin = rows.start
+    within = breaks[(breaks >= begin) & (breaks < begin + len(branch) - 1)] - begin
+    changes = np.zeros(len(branch), np.bool_)
+    changes[within + 1] = branch[within + 1] != branch[within]
+    other = np.flatnonzero(np.cumsum(changes) % 2)
+    word = given.angles[rows, axis].copy()
+    word[other] = inverse_axis(kinematics, tool[other])[0][1 - branch[other], np.arange(len(other)), axis]
+    pole = np.linalg.norm(np.cross(tool[other], kinematics.direction[3]), axis=1) <= POLE_ANGLE
+    word[other[pole]] = np.nan
+    return np.asarray(word[~np.isnan(word)])
+
+
+def _say_remedy(kinematics: Chain, axis: int, whole: float) -> str:
+    """Say what avoids a rewind, and whether the axis is too short for the path or only lies otherwise.
+    ``whole`` rad as :func:`_whole_turn` gives it."""
+    width = float(kinematics.high[axis] - kinematics.low[axis])
+    if not np.isfinite(width):
+        return say("Wider limits or another setup avoid it.")
+    given = {"letter": kinematics.letters[axis], "whole": Angle(np.degrees(whole), ".1f", bare=True)}
+    if whole > width - NO_ROOM:
+        return say(
+            "In this cut {letter} takes {whole} and has {width}: wider limits or shorter passes avoid it.",
+            width=Angle(np.degrees(width), ".1f"),
+            **given,
+        )
+    return say(
+        "In this cut {letter} takes {whole} and has {width}, but begins where that does not fit: the part "
+        "turned about {letter}, or limits that lie otherwise, avoid it.",
+        width=Angle(np.degrees(width), ".1f"),
+        **given,
+    )
 
 
 def _point(tip: Floats) -> tuple[float, float, float]:

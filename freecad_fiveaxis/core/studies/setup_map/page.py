@@ -291,4 +291,4 @@ WORDS = """<dl><dt>Work zero</dt><dd>The zero of the program's coordinates, as i
 offset (G54) says. The part stands where its own zero does.</dd>
 <dt>Turn</dt><dd>The part turned counter-clockwise about Z through the work zero, seen from above.</dd>
 <dt>Deviation</dt><dd>The largest distance of the tip's real path from the commanded segments, of all blocks at feed.</dd>
-<dt>Rewind</dt><dd>A retract inside a cut, because a rotary axis has to turn back.</dd></dl>"""  # noqa: E501
+<dt>Rewind</dt><dd>A retract inside a cut or between two, because a rotary axis has to turn back.</dd></dl>"""  # noqa: E501

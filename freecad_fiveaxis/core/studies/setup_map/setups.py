@@ -126,7 +126,7 @@ class SetupMap:
 
     ``origin`` (k, 3) mm and ``turn`` (k,) rad; ``max_deviation`` (k,) mm: of the feed blocks of the program
     that is posted in this setup, as rounded; ``rotary_travel`` (k,) rad and ``time`` (k,) s of the whole
-    program; ``over`` (k,) mm, ``within_limits`` and ``stands`` (k,); ``rewinds`` (k,) retracts inside cuts;
+    program; ``over`` (k,) mm, ``within_limits`` and ``stands`` (k,); ``rewinds`` (k,) retracts to turn back;
     ``kind`` (k,) of :class:`Kind`. Where the rotary limits allow no way at a turn, its rows are NaN and not
     within limits. ``best``: the recommended row, None where none is within limits and stands. ``least`` mm:
     no work zero of the region that stands, at the turns tried, has less deviation (but for rounding of

@@ -140,8 +140,7 @@ def turn_mesh(mesh: Mesh, turn: float) -> Mesh:
 @dataclass(frozen=True, eq=False)
 class Run:
     """The program of a setup with one tool: ``swept`` its way, ``over`` mm: so far the linear axes leave
-    their limits; ``rewinds``: how often the rotary axes turn back inside a cut, and the whole tool
-    retracts."""
+    their limits; ``rewinds``: how often the rotary axes turn back, and the whole tool retracts."""
 
     stand: Standing
     stack: Stack
