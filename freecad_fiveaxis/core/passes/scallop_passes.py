@@ -29,7 +29,17 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .contact_path import slice_field
 from .field import ALL_ROUND, PassField, PassOptions, Region
-from .geodesic import FLATTEST, Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
+from .geodesic import (
+    FLATTEST,
+    Frames,
+    as_tensor,
+    distance,
+    frames,
+    gradient,
+    scallop_metric,
+    side_lengths,
+    step_across,
+)
 from .planes import area_left
 from .refine import Copy, drop_short, finer_copy, join_copies, take_facets
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop
@@ -53,6 +63,9 @@ gigabytes."""
 EVEN = 0.07
 """Area of a facet over the square of the longest side allowed, where sides are halved: 0.06 to 0.08 on real
 parts."""
+
+WIDER = 1.25
+"""Times that the sides may be longer until there are not too many."""
 
 FIRST = 0.5
 """Steps from the source to the first pass: the ball reaches half a step to either side."""
@@ -225,9 +238,29 @@ def make_surface(region: Region, ground: Ground) -> Surface:
 
 def copy_region(region: Region, ground: Ground) -> Copy:
     """Copy the region, its facets small against the steps."""
-    longest = max(LONGEST, math.sqrt(ground.squares / (EVEN * MOST_FACETS)))
+    longest = _find_longest(region, ground)
     copy = finer_copy(region.mesh, ground.rows, as_tensor(ground.frame, ground.metric), longest)
     return replace(copy, bend=BEND * ground.flat, short=SHORT * ground.flat)
+
+
+def _find_longest(region: Region, ground: Ground) -> float:
+    """Find how long, in steps, the sides of the copy's facets may be, so that there are not many more than
+    MOST_FACETS besides those of the part: of a facet of length a and height h there are about
+    ``3 a / longest`` in a row, and of such rows where it is wide."""
+    longest = max(LONGEST, math.sqrt(ground.squares / (EVEN * MOST_FACETS)))
+    side = side_lengths(region.mesh.vertex, region.mesh.face[ground.rows], ground.frame, ground.metric).max(
+        axis=0
+    )
+    density = np.sqrt(ground.metric[0] * ground.metric[2] - ground.metric[1] ** 2)
+    height = 2.0 * ground.frame.area * density / side
+
+    def count(length: float) -> float:
+        in_row, rows = 3.0 * side / length, height / (6.0 * EVEN * length)
+        return float((np.maximum(in_row, 1.0) * np.maximum(rows, 1.0)).sum())
+
+    while count(longest) > MOST_FACETS + len(ground.rows):
+        longest *= WIDER
+    return longest
 
 
 def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
