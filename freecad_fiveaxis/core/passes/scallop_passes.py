@@ -64,6 +64,9 @@ EVEN = 0.07
 """Area of a facet over the square of the longest side allowed, where sides are halved: 0.06 to 0.08 on real
 parts."""
 
+MANY = 1.2
+"""Times MOST_FACETS that facets counted one by one may be: the count is a high one where they are wide."""
+
 WIDER = 1.25
 """Times that the sides may be longer until there are not too many."""
 
@@ -258,7 +261,7 @@ def _find_longest(region: Region, ground: Ground) -> float:
         in_row, rows = 3.0 * side / length, height / (6.0 * EVEN * length)
         return float((np.maximum(in_row, 1.0) * np.maximum(rows, 1.0)).sum())
 
-    while count(longest) > MOST_FACETS + len(ground.rows):
+    while count(longest) > MANY * MOST_FACETS + len(ground.rows):
         longest *= WIDER
     return longest
 
