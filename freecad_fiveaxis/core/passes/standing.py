@@ -20,6 +20,9 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .within_limits import LEVEL
 
+NEAR = 1e-12
+"""Of the size of what the part stands on: so near to its border a place is within it."""
+
 FLAT = 0.9999
 """Of -Z in the normal, at least: of a facet on which a part stands."""
 
@@ -56,6 +59,7 @@ def _middle(mesh: Mesh) -> Floats:
 def _surround(corner: Floats, middle: Floats) -> bool:
     """Whether the place ``middle`` (2,) lies within the hull of the corners (k, 2)."""
     try:
-        return bool(scipy.spatial.Delaunay(corner).find_simplex(middle) >= 0)
+        side = scipy.spatial.ConvexHull(corner).equations
+        return bool((side[:, :2] @ middle + side[:, 2] <= NEAR * np.ptp(corner)).all())
     except (scipy.spatial.QhullError, ValueError):  # too few corners, or all on one line
         return False
