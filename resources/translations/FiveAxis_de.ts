@@ -2363,8 +2363,8 @@
         <translation>Ausgelassen</translation>
     </message>
     <message>
-        <source>Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the part in another position.</source>
-        <translation>Im Fenster des Werkzeugwegs die Achse am Pol vorbeidrehen lassen, das Werkzeug um einige Grad neigen oder das Werkstück anders aufspannen.</translation>
+        <source>Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the part tilted.</source>
+        <translation>Im Fenster des Werkzeugwegs die Achse am Pol vorbeidrehen lassen, das Werkzeug um einige Grad neigen oder das Werkstück geneigt aufspannen.</translation>
     </message>
     <message>
         <source>Letter</source>
@@ -4892,8 +4892,8 @@
         <translation>In {count} Blöcken würde F das größte der Steuerung überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. G94 verwenden oder einen kleineren Vorschub angeben.</translation>
     </message>
     <message>
-        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed, half of them at less than {feed}. For an even feed give a lower one, or set the part nearer to the rotary axes.</source>
-        <translation>In {count} Blöcken würde eine Achse ihre höchste Geschwindigkeit überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. Für einen gleichmäßigen Vorschub einen kleineren angeben oder das Teil näher an die Drehachsen setzen.</translation>
+        <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed, half of them at less than {feed}. For an even feed give a lower one.</source>
+        <translation>In {count} Blöcken würde eine Achse ihre höchste Geschwindigkeit überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. Für einen gleichmäßigen Vorschub einen kleineren angeben.</translation>
     </message>
     <message>
         <source>In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one group of axes after the other, or place the part otherwise on the table.</source>
@@ -4992,8 +4992,8 @@
         <translation>Aus {name} weggelassen ist, was nicht schlicht ist: {parts}</translation>
     </message>
     <message>
-        <source>Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part in another position ({setup} finds one), so that the tool keeps off the pole.</source>
-        <translation>Die Werkzeugachse am Pol vorbeidrehen lassen ({past}), das Werkzeug um einige Grad neigen ({lead}, {tilt}) oder das Werkstück anders aufspannen ({setup} findet eine Lage), damit das Werkzeug vom Pol wegbleibt.</translation>
+        <source>Let the tool axis be turned past the pole ({past}; where that is on, with a larger {change}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part tilted, so that the tool keeps off the pole.</source>
+        <translation>Die Werkzeugachse am Pol vorbeidrehen lassen ({past}; wo das an ist, mit größerem Wert von {change}), das Werkzeug um einige Grad neigen ({lead}, {tilt}) oder das Werkstück geneigt aufspannen, damit das Werkzeug vom Pol wegbleibt.</translation>
     </message>
     <message>
         <source>Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine leaves the path by as much, let blocks be divided ({divide}).</source>
@@ -5256,12 +5256,12 @@
         <translation>Den Satz teilen.</translation>
     </message>
     <message>
-        <source>Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.</source>
-        <translation>Aufstellen: {place}. Größte Abweichung {deviation} statt {now}, {times}-mal weniger.</translation>
+        <source>Stand {place}: largest deviation of the tip {deviation} instead of {now}, {times} times less.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung der Spitze {deviation} statt {now}, {times}-mal weniger.</translation>
     </message>
     <message>
-        <source>Stand {place}: largest deviation {deviation}.</source>
-        <translation>Aufstellen: {place}. Größte Abweichung {deviation}.</translation>
+        <source>Stand {place}: largest deviation of the tip {deviation}.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung der Spitze {deviation}.</translation>
     </message>
     <message>
         <source>Subprograms are not interpreted, because of this line: {reason}. Post one program without them.</source>
@@ -5444,8 +5444,8 @@
         <translation>Der Postprozessor meinte: {layout}. Das erklärt {count} von {all} Zeilen auf {worst} genau.</translation>
     </message>
     <message>
-        <source>The present setup is as good as any of the region: largest deviation {deviation}.</source>
-        <translation>Die jetzige Aufspannung ist so gut wie jede des Bereichs: größte Abweichung {deviation}.</translation>
+        <source>The present setup is as good as any of the region: largest deviation of the tip {deviation}.</source>
+        <translation>Die jetzige Aufspannung ist so gut wie jede des Bereichs: größte Abweichung der Spitze {deviation}.</translation>
     </message>
     <message>
         <source>The program begins and ends at Z {height}. Only from Z {need} on are tool and spindle above what the axes carry, wherever these stand before: {names}.</source>
@@ -6038,6 +6038,10 @@
     <message>
         <source>a rotary axis turns back inside a cut, with the tool retracted</source>
         <translation>eine Drehachse dreht mitten im Schnitt zurück, bei abgehobenem Werkzeug</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns back inside cuts, {count} times</source>
+        <translation>eine Drehachse dreht mitten im Schnitt zurück, {count}-mal</translation>
     </message>
     <message>
         <source>a rotary axis turns while the tool stands at the machine's pole</source>
@@ -8640,8 +8644,8 @@
         <translation>es gibt keine Maschinen zu vergleichen; mindestens eine nennen</translation>
     </message>
     <message>
-        <source>there are no passes: no plane cuts a facet that can be reached; check stepover and direction</source>
-        <translation>es gibt keine Bahnen: keine Ebene schneidet eine erreichbare Facette; Zeilensprung und Richtung prüfen</translation>
+        <source>there are no passes: none runs over a facet that the tool reaches; check its axis, stepover and direction</source>
+        <translation>es gibt keine Bahnen: keine läuft über eine Facette, die das Werkzeug erreicht; seine Achse, Bahnabstand und Richtung prüfen</translation>
     </message>
     <message>
         <source>there is no block {flat}; the last one is {count}</source>

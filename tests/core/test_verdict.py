@@ -199,6 +199,14 @@ def test_every_kind_of_finding_has_its_words(code):
     assert code.severity is Severity.NOTE or not set(reason) & set(":;") or code is Code.SINGULAR_BLOCK
 
 
+def test_rewinds_are_one_reason_with_their_count():
+    one = found(Severity.WARNING, "rewind", value=309.3, unit="deg", line=1458)
+    all_of_them = found(Severity.WARNING, "rewinds", value=15.0, unit="1", line=1458)
+    assert told(calm(findings=(one, all_of_them))).reasons == (
+        "a rotary axis turns back inside cuts, 15 times",
+    )
+
+
 def test_what_a_least_interval_leaves_is_a_height_and_not_the_interval():
     figures = calm(findings=(found(Severity.WARNING, "least-interval", value=6.708, unit="mm"),))
     told = verdict(figures, summary(figures)).text

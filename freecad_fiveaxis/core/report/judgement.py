@@ -30,7 +30,6 @@ from freecad_fiveaxis.core.base.sentences import (
     Length,
     Option,
     Sentence,
-    Task,
     join_sentences,
     plural,
     say,
@@ -55,12 +54,12 @@ _SPLIT = say(
     linearize=Choice("linearize", ("on",)),
 )
 _AWAY = say(
-    "Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), "
-    "or clamp the part in another position ({setup} finds one), so that the tool keeps off the pole.",
+    "Let the tool axis be turned past the pole ({past}; where that is on, with a larger {change}), lean the "
+    "tool by a few degrees ({lead}, {tilt}), or clamp the part tilted, so that the tool keeps off the pole.",
     past=Choice("singularity", ("deform",), alone=True),
+    change=Option("max_axis_change", flag=False),
     lead=Option("lead", flag=False),
     tilt=Option("tilt", flag=False),
-    setup=Task("setup"),
 )
 _TIP_BENDS = say(
     "While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight "

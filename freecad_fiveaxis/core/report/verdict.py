@@ -224,8 +224,9 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
             count=numbers["unproven"],
             all=feeds,
         )
-    for code, found in _of_severity(figures, Severity.WARNING).items():
-        if code != Code.BOUND_OVER_TOLERANCE:
+    warned = _of_severity(figures, Severity.WARNING)
+    for code, found in warned.items():
+        if code != Code.BOUND_OVER_TOLERANCE and not (code == Code.REWIND and Code.REWINDS in warned):
             yield _warning(code, found, numbers)
 
 
@@ -260,6 +261,8 @@ def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) 
     if code == Code.SINGULAR_BLOCK:
         near = numbers["singular_blocks"] - numbers["blocks_at_pole"]
         return plural(near, "{count} block near the pole", "{count} blocks near the pole")
+    if code == Code.REWINDS:
+        return say("a rotary axis turns back inside cuts, {count} times", count=int(worst.value or 0.0))
     clause = WARNED.get(code)
     if (
         clause is None

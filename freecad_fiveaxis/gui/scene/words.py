@@ -223,7 +223,7 @@ def _AWAY() -> str:
     return translate(
         "FiveAxis",
         "Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp "
-        "the part in another position.",
+        "the part tilted.",
     )
 
 

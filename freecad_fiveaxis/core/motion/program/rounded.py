@@ -357,7 +357,7 @@ def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Fin
 
 HELD = Template(
     "In {count} blocks an axis would exceed its maximum rate; they run slower than programmed, half of them "
-    "at less than {feed}. For an even feed give a lower one, or set the part nearer to the rotary axes."
+    "at less than {feed}. For an even feed give a lower one."
 )
 ABOVE = Template(
     "In {count} blocks F would exceed the controller's largest; they run slower than programmed, half of "

@@ -34,7 +34,7 @@ HEAD = (
     "Y, mm",
     "Z, mm",
     "turn, deg",
-    "deviation, mm",
+    "tip's deviation, mm",
     "rotary travel, deg",
     "time",
     "rewinds",
@@ -48,7 +48,9 @@ def verdict(chart: SetupMap) -> Sentence:
         return say("No setup of the region keeps all axes within their limits and the part on the table.")
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
     place, on_table = _place(chart, chart.best), _on_table(chart, chart.best)
-    alone = say("Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g"))
+    alone = say(
+        "Stand {place}: largest deviation of the tip {deviation}.", place=place, deviation=Length(best, ".4g")
+    )
     if chart.hits[chart.best] > 0.0:
         return join_sentences((_longer_tool(chart), alone, on_table))
     if not math.isfinite(now) or not chart.able[0]:
@@ -61,12 +63,12 @@ def verdict(chart: SetupMap) -> Sentence:
     if now <= LEAST_GAIN * best:
         text = Length(now, ".4g")
         good = say(
-            "The present setup is as good as any of the region: largest deviation {deviation}.",
+            "The present setup is as good as any of the region: largest deviation of the tip {deviation}.",
             deviation=text,
         )
         return join_sentences((good, _on_table(chart, 0)))
     stand = say(
-        "Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.",
+        "Stand {place}: largest deviation of the tip {deviation} instead of {now}, {times} times less.",
         place=place,
         deviation=Length(best, ".4g"),
         now=Length(now, ".4g"),
@@ -282,8 +284,8 @@ def _say_proven(chart: SetupMap) -> str:
     turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"
     where = "" if chart.table is None else " above the table"
     return (
-        f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm {turns}, but "
-        "for the rounding of words."
+        f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm of the tip "
+        f"{turns}, but for the rounding of words."
     )
 
 

@@ -138,7 +138,8 @@ def link_passes(
     if not len(path.point):
         raise SettingsError(
             say(
-                "there are no passes: no plane cuts a facet that can be reached; check stepover and direction"
+                "there are no passes: none runs over a facet that the tool reaches; check its axis, stepover "
+                "and direction"
             ),
             0,
         )
