@@ -5,6 +5,7 @@ reason on a part made for it."""
 import json
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, tip_at
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.studies import reach_map as module
+from freecad_fiveaxis.core.studies import reach_report
 from freecad_fiveaxis.core.studies.reach_map import reach_map
 from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 from freecad_fiveaxis.core.tool import Cutter
@@ -283,3 +285,9 @@ def test_no_smaller_ball_is_named_where_none_is_missing_and_fixtures_are_in_the_
     clamp = Fixture("clamp", profile(np.array([(-7, 20), (7, 20), (7, 30), (-7, 30)]), 60.0))
     free, held = reach_map(wide, reacher), reach_map(wide, reacher, None, fixtures=(clamp,))
     assert held.area_of(Obstacle.NONE) < free.area_of(Obstacle.NONE) - 0.5 * 14.0 * 60.0
+
+
+def test_of_steps_that_reach_the_same_the_shortest_is_named():
+    found = SimpleNamespace(longer=((5.0, 275.1), (20.0, 275.2), (40.0, 310.0)))
+    texts = [str(one) for one in reach_report.stick_out(found)]
+    assert len(texts) == 2 and "5 mm farther" in texts[0] and "40 mm farther" in texts[1]

@@ -26,6 +26,9 @@ KEYS = {
     Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder", Obstacle.MACHINE: "machine",
 }  # fmt: skip
 
+WORTH = 1.01
+"""Times what the step before reached: a longer step that adds less is not worth a line."""
+
 NOTE = (
     "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called "
     "reachable is, with the axis tried; what is not may still be, between those axes. Limits are those of "
@@ -63,15 +66,17 @@ def verdict(found: ReachMap) -> Sentence:
 
 
 def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
-    """Return what a tool that sticks out farther would reach besides."""
-    return tuple(
-        say(
-            "Let the tool stick out {step} farther and it reaches {area} more.",
-            step=Length(step),
-            area=Area(area, ".3g"),
-        )
-        for step, area in found.longer
-    )
+    """Return what a tool that sticks out farther would reach besides, by each step that adds to it."""
+    texts, last = tuple[Sentence, ...](), 0.0
+    for step, area in found.longer:
+        if area > WORTH * last:
+            text = say(
+                "Let the tool stick out {step} farther and it reaches {area} more.",
+                step=Length(step),
+                area=Area(area, ".3g"),
+            )
+            texts, last = (*texts, text), area
+    return texts
 
 
 def _table(found: ReachMap) -> Table:
