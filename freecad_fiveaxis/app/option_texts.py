@@ -96,9 +96,10 @@ TEXTS = {
     "tool_axis": QT_TRANSLATE_NOOP("App::Property", "How the tool axis is found at each contact point"),
     "axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K of the fixed tool axis, from the tip to "
         "the holder"),
-    "lead": QT_TRANSLATE_NOOP("App::Property", "Lead angle: how far the tool leans in the feed direction"),
+    "lead": QT_TRANSLATE_NOOP("App::Property", "Lead angle: how far the tool leans in the feed direction; "
+        "above 0 its top goes ahead of its tip"),
     "tilt": QT_TRANSLATE_NOOP("App::Property", "Tilt angle: how far the tool leans across the feed "
-        "direction"),
+        "direction; above 0 its top stands to the right of the feed"),
     "max_tilt": QT_TRANSLATE_NOOP(
         "App::Property",
         "How far the tool axis may leave the surface normal, for the least deviation or to keep out of the "

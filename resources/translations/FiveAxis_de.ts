@@ -636,8 +636,8 @@
         <translation>Anfahrradius</translation>
     </message>
     <message>
-        <source>Lead angle: how far the tool leans in the feed direction</source>
-        <translation>Voreilwinkel: wie weit das Werkzeug in Vorschubrichtung geneigt ist</translation>
+        <source>Lead angle: how far the tool leans in the feed direction; above 0 its top goes ahead of its tip</source>
+        <translation>Voreilwinkel: wie weit das Werkzeug in Vorschubrichtung geneigt ist; über 0 eilt sein oberes Ende der Spitze voraus</translation>
     </message>
     <message>
         <source>Least Interval</source>
@@ -1364,8 +1364,8 @@
         <translation>Seitwinkel</translation>
     </message>
     <message>
-        <source>Tilt angle: how far the tool leans across the feed direction</source>
-        <translation>Seitwinkel: wie weit das Werkzeug quer zur Vorschubrichtung geneigt ist</translation>
+        <source>Tilt angle: how far the tool leans across the feed direction; above 0 its top stands to the right of the feed</source>
+        <translation>Seitwinkel: wie weit das Werkzeug quer zur Vorschubrichtung geneigt ist; über 0 steht sein oberes Ende rechts vom Vorschub</translation>
     </message>
     <message>
         <source>Time</source>

@@ -201,10 +201,18 @@ class ToolAxisSettings:
         most=LONGEST,
     )
     lead: float = option(
-        0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 2, most=math.pi / 2
+        0.0,
+        "angle",
+        "lean of the tool along the feed; above 0 its top goes ahead of its tip",
+        least=-math.pi / 2,
+        most=math.pi / 2,
     )
     tilt: float = option(
-        0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 2, most=math.pi / 2
+        0.0,
+        "angle",
+        "lean of the tool across the feed; above 0 its top stands to the right of the feed",
+        least=-math.pi / 2,
+        most=math.pi / 2,
     )
     max_tilt: float = option(
         math.radians(5.0), "angle",
