@@ -284,8 +284,8 @@ def _say_proven(chart: SetupMap) -> str:
     turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"
     where = "" if chart.table is None else " above the table"
     return (
-        f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm of the tip "
-        f"{turns}, but for the rounding of words."
+        f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm {turns}, but "
+        "for the rounding of words."
     )
 
 
