@@ -178,4 +178,4 @@ def test_where_nothing_has_to_turn_back_rings_begin_where_they_did(tmp_path, mon
 
 def test_the_stages_that_turn_rings_go_through_again_are_those_up_to_the_joints():
     again = milling.STAGES[1 : milling.STAGES.index(begin_rings.begin_rings_within_limits)]
-    assert again == begin_rings.AGAIN
+    assert again == begin_rings.TO_JOINTS

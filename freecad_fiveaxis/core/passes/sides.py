@@ -103,7 +103,7 @@ def find_untouched_sides(
     rows = np.flatnonzero(out)
     if not len(rows):
         return ()
-    number = _hanging_together(mesh, out, rows)
+    number = number_connected(mesh, out, rows)
     area = np.bincount(number, mesh.area[rows])
     length = np.maximum(*(_extent((mesh.vertex @ way)[mesh.face[rows]], number) for way in (travel, UP)))
     wide = (area > SHARE * mesh.area[keep].sum()) & (area > WIDE * interval * length)
@@ -128,7 +128,7 @@ def _extent(value: Floats, number: Ints) -> Floats:
     return extent
 
 
-def _hanging_together(mesh: Mesh, out: Bools, rows: Ints) -> Ints:
+def number_connected(mesh: Mesh, out: Bools, rows: Ints) -> Ints:
     """Return the number (k,) of the side that each of the facets ``rows`` (k,), where ``out`` (f,) is True,
     belongs to."""
     pair = mesh.coedge_face[mesh.coedge_face[:, 1] >= 0]

@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
-from .within_limits import LEVEL
+from .within_limits import LEVEL, measure_facets
 
 NEAR = 1e-12
 """Of the size of what the part stands on: so near to its border a place is within it."""
@@ -40,8 +40,7 @@ def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
     """Say how much of the part it stands on; nothing where there is no such facet."""
     if not standing.any():
         return ()
-    area, facet = float(mesh.area[standing].sum()), int(np.where(standing, mesh.area, 0.0).argmax())
-    x, y, z = mesh.vertex[mesh.face[facet]].mean(axis=0).tolist()
+    area, (x, y, z) = measure_facets(mesh, standing)
     text = say(
         "The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Give "
         "{max_axis_angle} to cut them as well.",

@@ -270,6 +270,13 @@ def _report_left_out(
     return report_finding(code, sentence, lost, place=(x, y, z))
 
 
+def measure_facets(mesh: Mesh, chosen: Bools) -> tuple[float, tuple[float, float, float]]:
+    """Return the area, mm2, of the ``chosen`` facets (f,), one at least, and the middle of the largest."""
+    area = np.where(chosen, mesh.area, 0.0)
+    x, y, z = mesh.vertex[mesh.face[int(area.argmax())]].mean(axis=0).tolist()
+    return float(mesh.area[chosen].sum()), (x, y, z)
+
+
 def _nothing_left(area: Floats, down: Bools, steep: Bools, beyond: Bools, most: float) -> Sentence:
     down_share, steep_share, beyond_share = (
         Number(100.0 * float(area[mask].sum() / area.sum()), ".3g") for mask in (down, steep, beyond)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -27,11 +28,11 @@ from .records import PlannedPasses, SolvedJoints
 from .solve_joints import solve_joints
 
 TURN = 2.0 * math.pi
-AGAIN = (
+TO_JOINTS: tuple[Callable[[MillContext, Any], Any], ...] = (
     offset_contacts, keep_within_boundary, keep_off_faces, assign_axes, correct_axes, tilt_axes, link_passes,
     lift_path, keep_links_near, lead_in_and_out, solve_joints,
 )  # fmt: skip
-"""The stages from the passes to the joints, which passes that begin elsewhere go through once more."""
+"""The stages from the passes to the joints; passes that begin elsewhere go through them once more."""
 
 
 def begin_rings_within_limits(context: MillContext, solved: SolvedJoints) -> SolvedJoints:
@@ -40,21 +41,14 @@ def begin_rings_within_limits(context: MillContext, solved: SolvedJoints) -> Sol
     if contact is None:
         return solved
     record: Any = PlannedPasses(contact, solved.frame, solved.findings)
-    for stage in AGAIN:
+    for stage in TO_JOINTS:
         record = stage(context, record)
     joints: JointPath = record.joints
-    before, after = _count_inside(solved.joints), _count_inside(joints)
-    if (after, joints.rewinds) >= (before, solved.joints.rewinds):
+    if (joints.inside, joints.rewinds) >= (solved.joints.inside, solved.joints.rewinds):
         return solved
-    found = _report_rings(context, before, after)
+    found = _report_rings(context, solved.joints.inside, joints.inside)
     turned: SolvedJoints = replace(record, joints=replace(joints, findings=(*joints.findings, found)))
     return turned
-
-
-def _count_inside(joints: JointPath) -> int:
-    """Return how many of the rewinds are inside cuts."""
-    between = (one.value for one in joints.findings if one.code == Code.REWINDS_BETWEEN_CUTS)
-    return joints.rewinds - int(sum(value or 0.0 for value in between))
 
 
 def _turn_rings(context: MillContext, solved: SolvedJoints) -> ContactPath | None:

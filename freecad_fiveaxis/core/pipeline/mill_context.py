@@ -165,14 +165,12 @@ def find_region(
     region = Region(mesh, keep, radius, interval, progress=progress, frames=frames)
     if cutter.touches_as_ball:
         return region
-    own = [(settings.tool_axis.tool_axis, axis_options(settings))] if frames is None else stands_in(frames)
-    owners = [keep] if frames is None else [keep & one for one in frames.facets(mesh)]
-    ways = [
-        (cutter, mesh, cut, angle, *stand)
-        for angle in travels(settings)
-        for cut, stand in zip(owners, own, strict=True)
-        if cut.any() or len(own) == 1
-    ]
+    stands = [(keep, (settings.tool_axis.tool_axis, axis_options(settings)))]
+    if frames is not None:
+        own = [keep & facets for facets in frames.facets(mesh)]
+        each = list(zip(own, stands_in(frames), strict=True))
+        stands = [one for one in each if one[0].any()] or [(keep, stand) for _, stand in each]
+    ways = [(cutter, mesh, cut, angle, *stand) for angle in travels(settings) for cut, stand in stands]
 
     def find_radius(height: float) -> float:
         """Return the radius of the ball that leaves ``height`` mm at the same step, where that is least."""

@@ -10,31 +10,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from .assign_axes import assign_axes, correct_axes, tilt_axes
-from .begin_rings import begin_rings_within_limits
-from .build_path import keep_links_near, lead_in_and_out, lift_path, link_passes
+from .begin_rings import TO_JOINTS, begin_rings_within_limits
 from .context import MillContext
 from .mill_context import find_region
-from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
+from .plan_passes import plan_passes
 from .programs import MilledProgram
 from .round_bodies import keep_links_off_bodies
-from .solve_joints import keep_rapids_clear, solve_joints, write_program
+from .solve_joints import keep_rapids_clear, write_program
 
 Stage = Callable[[MillContext, Any], Any]
 
 STAGES: tuple[Stage, ...] = (
     plan_passes,
-    offset_contacts,
-    keep_within_boundary,
-    keep_off_faces,
-    assign_axes,
-    correct_axes,
-    tilt_axes,
-    link_passes,
-    lift_path,
-    keep_links_near,
-    lead_in_and_out,
-    solve_joints,
+    *TO_JOINTS,
     begin_rings_within_limits,
     keep_links_off_bodies,
     keep_rapids_clear,

@@ -8,15 +8,16 @@ one. The facets above a place, each counted with the sense in which it looks, te
 from __future__ import annotations
 
 import numpy as np
-import scipy
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Ints
+from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Area, Number, Point, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import count_solids, is_closed
+from freecad_fiveaxis.core.passes.sides import number_connected
+from freecad_fiveaxis.core.passes.within_limits import measure_facets
 
 OVER = 1e-5
 """Of the part's size: so far over a facet is looked."""
@@ -31,8 +32,7 @@ def find_buried_facets(mesh: Mesh) -> Bools:
     buried = np.zeros(len(mesh.face), np.bool_)
     if not is_closed(mesh):
         return buried
-    near = _find_overlapping(mesh)
-    rows = np.flatnonzero(near)
+    rows = np.flatnonzero(_find_overlapping(mesh))
     for share in (np.full(3, 1.0 / 3.0), *NEAR_CORNERS):
         corner = mesh.vertex[mesh.face[rows]]
         over = np.einsum("c,fcx->fx", share, corner) + OVER * _size(mesh) * mesh.normal[rows]
@@ -45,21 +45,21 @@ def report_buried(mesh: Mesh, buried: Bools) -> tuple[Finding, ...]:
     """Say how much of the part's surface lies inside another of its solids; nothing where none does."""
     if not buried.any():
         return ()
-    area, facet = float(mesh.area[buried].sum()), int(np.where(buried, mesh.area, 0.0).argmax())
-    x, y, z = mesh.vertex[mesh.face[facet]].mean(axis=0).tolist()
+    area, place = measure_facets(mesh, buried)
     text = say(
         "{area} ({share} % of the mesh) at {place} lie inside another solid of the part and are not "
         "machined. Unite the solids in CAD, so that passes end at the seam.",
         area=Area(area, ".4g"),
         share=Number(100.0 * area / float(mesh.area.sum()), ".3g"),
-        place=Point((x, y, z)),
+        place=Point(place),
     )
-    return (report_finding(Code.FACETS_INSIDE, text, area, 0.0, place=(x, y, z)),)
+    return (report_finding(Code.FACETS_INSIDE, text, area, 0.0, place=place),)
 
 
 def _find_overlapping(mesh: Mesh) -> Bools:
     """Find the facets (f,) of solids whose boxes overlap with that of another one."""
-    solid = _number_solids(mesh)
+    rows = np.arange(len(mesh.face))
+    solid = number_connected(mesh, rows >= 0, rows)
     count = int(solid.max()) + 1
     low, high = np.full((count, 3), np.inf), np.full((count, 3), -np.inf)
     for corner in mesh.face.T:
@@ -77,13 +77,6 @@ def _find_overlapping(mesh: Mesh) -> Bools:
     overlapping = np.zeros(count, np.bool_)
     overlapping[wide] = met
     return np.asarray(overlapping[solid])
-
-
-def _number_solids(mesh: Mesh) -> Ints:
-    """Return the number (f,) of the shell that each facet belongs to."""
-    one, other = mesh.coedge_face.T
-    graph = scipy.sparse.coo_matrix((np.ones(len(one), np.int8), (one, other)), (len(mesh.face),) * 2)
-    return np.asarray(scipy.sparse.csgraph.connected_components(graph, directed=False)[1], np.int64)
 
 
 def _size(mesh: Mesh) -> float:

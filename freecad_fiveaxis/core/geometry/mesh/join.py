@@ -71,7 +71,7 @@ def join_facets(vertex: Floats, face: Ints, rim: Bools) -> Joined | None:
     return Joined(np.concatenate([face[~near], kept]), doubled, corners, junctions)
 
 
-class _Sides(NamedTuple):
+class Sides(NamedTuple):
     """``start``, ``end`` (3 f,) vertices of the half-edges, ``edge`` (3 f,) their edges, ``shared`` (3 f,)
     half-edges of it."""
 
@@ -81,20 +81,21 @@ class _Sides(NamedTuple):
     shared: Ints
 
 
-def _sides(face: Ints) -> _Sides:
+def number_edges(face: Ints) -> Sides:
+    """Give the edges of facets (f, 3) numbers, one for all half-edges between the same two vertices."""
     start, end = face.reshape(-1), np.roll(face, -1, axis=1).reshape(-1)
     key = np.minimum(start, end) * (int(face.max(initial=0)) + 1) + np.maximum(start, end)
     _, edge, count = np.unique(key, return_inverse=True, return_counts=True)
     edge = edge.reshape(-1).astype(np.int64)
-    return _Sides(start, end, edge, count[edge])
+    return Sides(start, end, edge, count[edge])
 
 
-def _open(side: _Sides, rim: Bools) -> Bools:
+def _open(side: Sides, rim: Bools) -> Bools:
     """Half-edges (3 f,) on the border."""
     return np.asarray((side.shared == 1) & rim[side.start] & rim[side.end])
 
 
-def _find_flawed(vertex: Floats, face: Ints, side: _Sides) -> Bools:
+def _find_flawed(vertex: Floats, face: Ints, side: Sides) -> Bools:
     """Half-edges (3 f,) of flawed edges."""
     turn = np.bincount(side.edge, np.where(side.start < side.end, 1.0, -1.0))[side.edge]
     normal = np.repeat(_normals(vertex, face), 3, axis=0)
@@ -112,7 +113,7 @@ def _normals(vertex: Floats, face: Ints) -> Floats:
     return np.asarray(normal / np.where(size > 0.0, size, 1.0)[:, None])
 
 
-def _shortest(vertex: Floats, side: _Sides) -> Floats:
+def _shortest(vertex: Floats, side: Sides) -> Floats:
     """Return the shortest side (v,) mm at each vertex; without end where there is none."""
     shortest, length = (
         np.full(len(vertex), np.inf),
@@ -145,7 +146,7 @@ def _without_doubled(face: Ints) -> tuple[Ints, Ints]:
 
 def _join_corners(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints]:
     """Return the facets with the clusters of their corners joined, and the vertices (c,) that are gone."""
-    side = _sides(face)
+    side = number_edges(face)
     was_open = _open(side, rim)
     place, shortest = _clusters(vertex, side, was_open), _shortest(vertex, side)
     while True:
@@ -158,7 +159,7 @@ def _join_corners(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints]:
         place = np.where(wrong[place], np.arange(len(place)), place)
 
 
-def _clusters(vertex: Floats, side: _Sides, was_open: Bools) -> Ints:
+def _clusters(vertex: Floats, side: Sides, was_open: Bools) -> Ints:
     """For each vertex (v,) the first one of its cluster."""
     place, corner = (
         np.arange(len(vertex)),
@@ -185,7 +186,7 @@ def _unfit(vertex: Floats, face: Ints, place: Ints, was_open: Bools) -> Bools:
     """First vertices (v,) of clusters that would make a facet without area or a flawed edge, or that close no
     edge."""
     new = place[face]
-    side, merged, wrong = _sides(new), np.zeros(len(place), np.bool_), np.zeros(len(place), np.bool_)
+    side, merged, wrong = number_edges(new), np.zeros(len(place), np.bool_), np.zeros(len(place), np.bool_)
     merged[place[place != np.arange(len(place))]] = True
     thin = (new == np.roll(new, -1, axis=1)).any(axis=1)
     wrong[new[thin]] = True
@@ -232,7 +233,7 @@ def _split_junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints
 def _junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints, Floats]:
     """Half-edges (j,) on the border on which other vertices (j,) of it lie, and where: shares (j,); one side
     of a facet only."""
-    side = _sides(face)
+    side = number_edges(face)
     half = np.flatnonzero(_open(side, rim))
     corner = np.unique(side.start[half])
     if len(corner) < 2:
@@ -299,7 +300,7 @@ def _divide_facets(face: Ints, half: Ints, at: Ints, share: Floats) -> tuple[Int
 
 def _unfit_parts(vertex: Floats, face: Ints, split: Ints, owner: Ints) -> Bools:
     """Facets (f,) whose parts would turn over, have a flawed edge, or close no edge."""
-    side, divided = _sides(split), np.bincount(owner, minlength=len(face)) > 1
+    side, divided = number_edges(split), np.bincount(owner, minlength=len(face)) > 1
     turned = (_normals(vertex, split) * _normals(vertex, face)[owner]).sum(axis=1) < 0.9
     flawed = _find_flawed(vertex, split, side).reshape(-1, 3)[:, 0]
     closes = np.bincount(owner, side.shared.reshape(-1, 3)[:, 0] == 2, len(face)) > 0

@@ -14,6 +14,8 @@ import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
+from .join import number_edges
+
 
 def find_turned(face: Ints, area: Floats) -> Bools:
     """Find the facets (f,) of ``face`` (f, 3) that face the other way than most of the ``area`` (f,) mm2
@@ -26,17 +28,14 @@ def find_turned(face: Ints, area: Floats) -> Bools:
     part = scipy.sparse.csgraph.connected_components(graph, directed=False)[1].astype(np.int64)
     kept, turned = part[:count], part[count:]
     kept_area = np.bincount(kept, area, int(part.max()) + 1)
-    less, alike = kept_area[kept] < kept_area[turned], kept_area[kept] == kept_area[turned]
-    return np.asarray((less | (alike & (kept > turned))) & (kept != turned))
+    less, equal = kept_area[kept] < kept_area[turned], kept_area[kept] == kept_area[turned]
+    return np.asarray(less | (equal & (kept > turned)))
 
 
 def _neighbours(face: Ints) -> tuple[Ints, Ints, Bools]:
     """Return both facets (e,), (e,) of each edge that has two, and whether these run along it in the same
     sense."""
-    start, end = face.reshape(-1), np.roll(face, -1, axis=1).reshape(-1)
-    key = np.minimum(start, end) * (int(face.max()) + 1) + np.maximum(start, end)
-    order = np.argsort(key, kind="stable")
-    first = np.flatnonzero(np.diff(key[order], prepend=-1))
-    pair = first[np.diff(first, append=len(key)) == 2]
-    one, two = order[pair], order[pair + 1]
-    return one // 3, two // 3, start[one] == start[two]
+    side = number_edges(face)
+    half = np.flatnonzero(side.shared == 2)
+    one, two = half[np.argsort(side.edge[half], kind="stable")].reshape(-1, 2).T
+    return one // 3, two // 3, side.start[one] == side.start[two]

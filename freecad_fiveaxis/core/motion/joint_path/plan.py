@@ -59,7 +59,8 @@ class JointPath:
     rows; ``row`` (n,) the row of the given CL path that each row came from (an inserted row has that of the
     row which it leads to); ``q`` (n, 5) words before rounding in the order X Y Z, first rotary, second rotary
     (rotary: nearer to the work first), mm and rad, turns not folded; ``branch`` (n,) 0 or 1; ``sine`` (n,)
-    singularity measure, 0 at the pole; ``rewinds``: how often the rotary axes turn back, the tool retracted.
+    singularity measure, 0 at the pole; ``rewinds``: how often the rotary axes turn back, the tool retracted,
+    and ``inside``: of these inside cuts.
     """
 
     path: CLPath
@@ -69,6 +70,7 @@ class JointPath:
     sine: Floats
     findings: tuple[Finding, ...] = ()
     rewinds: int = 0
+    inside: int = 0
 
     def __post_init__(self) -> None:
         freeze(self, len(self.path.tip), row="i", q="f5", branch="m", sine="f")
@@ -129,7 +131,9 @@ def solve(
     drive = subdivide_rapids(drive, kinematics, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
     findings = rewind_findings(start, drive, kinematics, breaks, gaps, cutting, between)
-    return replace(_finish(drive, kinematics, findings), rewinds=len(breaks))
+    return replace(
+        _finish(drive, kinematics, findings), rewinds=len(breaks), inside=int((~between[breaks]).sum())
+    )
 
 
 def _above(path: CLPath, height: float) -> Bools:
