@@ -6352,6 +6352,10 @@
         <translation>Begrenzung {name} enthält keine geschlossenen Kurven: je Zeile X,Y,Z in mm angeben, eine Leerzeile zwischen zwei Kurven, höchstens {most} Punkte, keiner jenseits von {farthest}</translation>
     </message>
     <message>
+        <source>boundary {name} holds no closed curves: {cells} in curve {number} is no point; give X,Y,Z in mm on a line each, none beyond {farthest}</source>
+        <translation>Begrenzung {name} enthält keine geschlossenen Kurven: {cells} in Kurve {number} ist kein Punkt; je Zeile X,Y,Z in mm angeben, keiner jenseits von {farthest}</translation>
+    </message>
+    <message>
         <source>calls of other programs, whose moves are missing</source>
         <translation>andere Programme werden aufgerufen, deren Bewegungen fehlen</translation>
     </message>

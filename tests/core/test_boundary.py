@@ -627,6 +627,8 @@ def test_the_lines_in_place_of_the_file_give_the_same_program(tmp_path):
     [
         ("--boundary", "0,0,0;1,0,0;2,0", "boundary 0,0,0;1,0,0;2,0 holds no closed curves"),
         ("--boundary", "0,0;1,1;" * 30, "boundary " + ("0,0;1,1;" * 30)[:39] + "… holds no closed curves"),
+        ("--boundary", "0,0,0;1,0,0;1,nan,0;0,1,0", "'1,nan,0' in curve 1 is no point; give X,Y,Z in mm"),
+        ("--boundary", "0,0,0;9,0,0;9,9,0;;1,1,0;2000000,1,0", "'2000000,1,0' in curve 2 is no point"),
         ("--from", "1,2,3;x,y,z", "guide curve 1,2,3;x,y,z needs two points or more"),
         ("--from", "1,2,3;", "guide curve 1,2,3; needs two points or more"),
     ],

@@ -14,11 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
-from freecad_fiveaxis.core.base.curve_text import read_runs
+from freecad_fiveaxis.core.base.curve_text import LONGEST_NAME, is_number, read_runs
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, Point, Sentence, say
+from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, Point, Sentence, one_line, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .field import Vector
@@ -31,6 +31,9 @@ MOST_POINTS = 20_000
 """Points of all curves together; a file of more is no boundary that somebody drew."""
 
 MOST_BYTES = 10_000_000
+
+FARTHEST = 1e6
+"""mm; of a coordinate from 0."""
 
 FLATTEST = 1e-9
 """Of its size: a curve that is less wide is seen edgewise."""
@@ -100,22 +103,28 @@ def _read_curves(path: str, name: str) -> list[Floats]:
     runs = read_runs(path, "boundary", MOST_BYTES)
     if not runs or sum(map(len, runs)) > MOST_POINTS:
         raise SettingsError(_unreadable(name), path)
-    try:
-        curves = [
-            np.array([[float(cell) for cell in row[:3]] for row in run], dtype=np.float64) for run in runs
-        ]
-    except ValueError:
-        raise SettingsError(_unreadable(name), path) from None
-    if any(one.shape[1] != 3 or not (np.abs(one) <= 1e6).all() for one in curves):
-        raise SettingsError(_unreadable(name), path)
-    return curves
+    for number, run in enumerate(runs, 1):
+        if wrong := next((row for row in run if not _is_point(row)), None):
+            text = say(
+                "boundary {name} holds no closed curves: {cells} in curve {number} is no point; give X,Y,Z "
+                "in mm on a line each, none beyond {farthest}",
+                name=name, cells=repr(one_line(",".join(wrong))[:LONGEST_NAME]), number=number,
+                farthest=Length(FARTHEST),
+            )  # fmt: skip
+            raise SettingsError(text, path)
+    return [np.array([[float(cell) for cell in row[:3]] for row in run]) for run in runs]
+
+
+def _is_point(row: list[str]) -> bool:
+    """Tell whether the cells begin with three finite numbers that may be coordinates."""
+    return len(row) > 2 and all(is_number(cell) and abs(float(cell)) <= FARTHEST for cell in row[:3])
 
 
 def _unreadable(name: str) -> Sentence:
     return say(
         "boundary {name} holds no closed curves: give X,Y,Z in mm on a line each, a blank line between two "
         "curves, at most {most} points, none beyond {farthest}",
-        name=name, most=MOST_POINTS, farthest=Length(1e6),
+        name=name, most=MOST_POINTS, farthest=Length(FARTHEST),
     )  # fmt: skip
 
 
