@@ -94,6 +94,7 @@ def test_what_the_table_keeps_the_tool_off_is_out_of_reach_and_named():
     assert "smaller cutter" not in held.text
 
 
+@pytest.mark.thorough
 def test_a_fixture_in_the_way_is_named_and_one_that_is_far_off_is_not():
     """The wall beside the jaw is left out as a whole, and of the walls at its ends stays what is near it."""
     figures = made((jaw(0.5, "left.stl"), jaw(200.0, "far.stl")))

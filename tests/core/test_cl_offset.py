@@ -483,7 +483,7 @@ def test_post_notes_another_shape(parts, tmp_path):
     assert "bull 10 mm, corner 2 mm" in notes("ball:10")[0].text and "retracts" in notes("bull:8:2")[0].text
 
 
-@pytest.mark.parametrize("shape", CUTTERS)
+@some_in_core("shape", CUTTERS, kept=(3,))
 def test_a_job_file_and_the_head_name_the_cutter(shape, parts):
     settings = build_settings(
         "mill",

@@ -86,7 +86,7 @@ def test_the_inputs_of_a_report_are_a_job_file_that_makes_the_same_bytes(roof, t
     assert first.read_bytes() == second.read_bytes()
 
 
-@pytest.mark.parametrize("words", [("--left", "on"), ("--left=on",), ("--left",)])
+@some_in_core("words", [("--left", "on"), ("--left=on",), ("--left",)], kept=(2,))
 def test_the_former_name_of_an_option_makes_the_same_files_and_is_noted(words, roof, tmp_path, capsys):
     plain = ("mill", roof, "--machine", "trunnion_ac", "--stepover", "5", "--tolerance", "100")
     old, new, report = tmp_path / "old.ngc", tmp_path / "new.ngc", tmp_path / "old.json"

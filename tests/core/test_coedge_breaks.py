@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from offset_examples import chords, clearance, distance, prism
 from scipy.spatial import cKDTree
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import PASS_STRATEGIES, PassOptions, Region, cut, flat_interval
@@ -94,7 +95,8 @@ def by_planes_without_end(degrees):
         return close_gaps(passes_round(degrees), undercut_block(degrees), RADIUS, 0.01)
 
 
-each_block = pytest.mark.parametrize("degrees", [10.0, 30.0])
+BLOCKS = 10.0, 30.0
+each_block = pytest.mark.parametrize("degrees", BLOCKS)
 
 
 def entered_length(path, mesh):
@@ -103,7 +105,7 @@ def entered_length(path, mesh):
     return np.linalg.norm(point[-1] - point[0], axis=1)[clearance(path, mesh) < RADIUS - 0.05].sum()
 
 
-@each_block
+@some_in_core("degrees", BLOCKS)
 def test_what_the_ball_can_touch_is_finished(degrees):
     path = offset_path(degrees)
     assert finished_share(undercut_block(degrees), path) >= 0.97

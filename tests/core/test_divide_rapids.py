@@ -106,7 +106,7 @@ def added(made, plain):
     return np.array(rows), np.array(before)
 
 
-@pytest.mark.parametrize(("machine", "part", "options"), CASES[:4])
+@some_in_core(("machine", "part", "options"), CASES[:4], kept=(0, 3))
 def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(machine, part, options):
     made, plain = milled(machine, part, **options), undivided(machine, part, **options)
     rows, before = added(made, plain)

@@ -259,7 +259,7 @@ def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
     assert (some[:, 1] < -3.0).any() and (some[:, 2] > 15.9).any()  # beside the roof and on it all is cut
 
 
-@pytest.mark.parametrize("gouge", ["lift", "leave-out"])
+@some_in_core("gouge", ["lift", "leave-out"])
 def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monkeypatch):
     cure = importlib.import_module(f"freecad_fiveaxis.core.gouge.{gouge.replace('-', '_')}")
     monkeypatch.setattr(cure, "is_under", lambda *given: np.zeros(len(given[2]), np.bool_))

@@ -158,7 +158,8 @@ def test_directions_of_mixed_up_lengths_would_be_noticed(monkeypatch):
         test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it("trunnion_ac")
 
 
-@pytest.mark.parametrize("length", [pytest.param(LENGTH, marks=pytest.mark.thorough), None])
+@pytest.mark.thorough
+@pytest.mark.parametrize("length", [LENGTH, None])
 def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
     """All bodies of trunnion_with_bodies, and these against each other: a program that stands
     still in the pose."""
@@ -209,6 +210,7 @@ def milled(**options):
     return job.prove(job.make(build_settings("mill", "part", {**MILL, **options}), mesh=PART))
 
 
+@pytest.mark.thorough
 def test_a_part_on_the_trunnion_is_cut_free_of_its_bodies_where_the_spindle_hit_the_platter(monkeypatch):
     """With a stub of a tool the spindle went into the platter beside the part; now nothing is hit, and all is
     cut."""

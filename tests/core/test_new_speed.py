@@ -3,8 +3,8 @@
 finding."""
 
 import numpy as np
-import pytest
 from plain import build_settings
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.geometry.mesh import from_faces
@@ -32,7 +32,7 @@ def settings(controller: str, **options):
     return build_settings("mill", "gable.stl", given)
 
 
-@pytest.mark.parametrize("controller", DIALECTS)
+@some_in_core("controller", DIALECTS, kept=(0, 2, 4, 6))
 def test_a_new_speed_gives_the_bytes_and_the_report_of_the_whole_job(controller) -> None:
     whole = [job.prove(job.make(settings(controller, **speed), mesh=GABLE)) for speed in SPEEDS]
     told = [as_json(job.figures(one)) for one in whole]

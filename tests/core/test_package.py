@@ -118,6 +118,7 @@ def scripts(wheel, tmp_path_factory):
     return scripts
 
 
+@pytest.mark.thorough
 @builds
 def test_the_wheel_holds_every_module_and_every_file_that_the_code_opens(wheel):
     inside = {name for name in zipfile.ZipFile(wheel).namelist() if not name.startswith("freecad_fiveaxis-")}

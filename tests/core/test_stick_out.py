@@ -66,7 +66,7 @@ def test_beside_a_wall_the_holder_just_clears_its_top(present, met):
     assert told.shorter.depth == pytest.approx(stick_out.STEP, abs=1e-6) and told.shorter.entered == "part"
 
 
-@pytest.mark.parametrize("tilt", [50.0, 60.0])
+@some_in_core("tilt", [50.0, 60.0])
 def test_tilted_over_a_plane_the_rim_of_the_holder_just_clears_it(tilt):
     """Tip and rim: L cos t - R sin t + r (1 - cos t) = 0 for a ball of r, a holder of R, and a tilt of t."""
     t = math.radians(tilt)
@@ -226,6 +226,7 @@ def holder_depth(mesh, made, length, near=None):
     return max(deepest_in(*at, length, 20.0, 30.0), deepest_in(*at, length + 30.0, 31.5, 60.0))
 
 
+@pytest.mark.thorough
 def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
     """The comparison can fail: proven with a holder that is 4 mm thinner, the samples hit the true one."""
     mesh, true = from_faces(*parts.PARTS["dome"]()), standing.Run.above.fget

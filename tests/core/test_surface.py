@@ -163,7 +163,7 @@ def test_either_control_point_gives_the_same_way():
     assert off.max() <= 1e-4 + 1e-9
 
 
-@pytest.mark.parametrize("linearize", ["on", "off"])
+@some_in_core("linearize", ["on", "off"])
 def test_the_report_judges_the_centre_and_tells_the_tip_beside_it(linearize):
     result = proven("box", linearize=linearize)
     assert result.draft.settings.cure.linearize == linearize

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from gouge_examples import prism, step
 from revolved import solid_of_revolution
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import report_finding
@@ -134,7 +135,7 @@ def judged(mesh, **options):
     return {one.code: one for one in made.findings}, summary(figures), verdict(figures, summary(figures))
 
 
-@pytest.mark.parametrize("rest", ["off", "on"])
+@some_in_core("rest", ["off", "on"], kept=(1,))
 @pytest.mark.parametrize("passes", ["planes", "scallop"])
 def test_passes_farther_apart_than_the_cutter_is_wide_leave_strips_and_are_never_safe(passes, rest):
     """On flat ground 20 mm apart a ball of 6 mm touches lines; what it sweeps to a hundredth is a millimetre."""
