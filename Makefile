@@ -23,8 +23,9 @@ export OPENBLAS_NUM_THREADS ?= 1
 TWO := -n 2 --dist worksteal --capture=sys
 # half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half.
 # What tests print is caught in Python alone: where it is caught in the system too, each of 8,000 tests costs 2 ms more
-marked = $(shell grep -rlE '$(1)' --include='test_*.py' tests/core tests/contracts tests/golden tests/fuzz)
-# the files of tests whose marks are these words; to read all others takes longer than some rings (tests/conftest.py looks that none is missed)
+marked = $(sort $(shell grep -rlE '$(1)' --include='test_*.py' tests/core tests/contracts tests/golden tests/fuzz))
+# the files of tests whose marks are these words; to read all others takes longer than some rings (tests/conftest.py looks that none is missed).
+# Sorted: the file whose engines take longest to begin lies whole in one half
 
 .PHONY: help demo test test-all changed lint docs core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
     sitting test-matrix trixie forky chroots install release bench bench-window mutants clean
