@@ -4436,12 +4436,12 @@
         <translation> ({value}, NC-Zeile {line})</translation>
     </message>
     <message>
-        <source> Beside it up to {height} is left between the passes.</source>
-        <translation> Daneben bleibt zwischen den Bahnen bis {height} stehen.</translation>
+        <source> All differences together put the tip off by up to {miss} on that machine.</source>
+        <translation> Alle Unterschiede zusammen bringen die Spitze auf jener Maschine um bis zu {miss} ab.</translation>
     </message>
     <message>
-        <source> On that machine the tip would be off by up to {miss}.</source>
-        <translation> Auf jener Maschine läge die Werkzeugspitze um bis zu {miss} daneben.</translation>
+        <source> Beside it up to {height} is left between the passes.</source>
+        <translation> Daneben bleibt zwischen den Bahnen bis {height} stehen.</translation>
     </message>
     <message>
         <source> The path goes straight on to the next GOTO: have curves written as points.</source>
@@ -4454,6 +4454,10 @@
     <message>
         <source> This is the deepest of {blocks} blocks in {places} places.</source>
         <translation> Das ist der tiefste von {blocks} NC-Sätzen an {places} Stellen.</translation>
+    </message>
+    <message>
+        <source> This is the deepest of {blocks} blocks there.</source>
+        <translation> Das ist der tiefste von {blocks} NC-Sätzen dort.</translation>
     </message>
     <message>
         <source> and the part turned by {turn}</source>

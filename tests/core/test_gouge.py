@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.gouge import (
+    check,
     check_motion,
     find_entries,
     inside,
@@ -328,6 +329,28 @@ def test_a_holder_that_collides_everywhere_is_one_kind_of_finding():
     done = check_motion(step(height=12.0), body, swept, np.zeros(399, np.int8), LIMIT)
     assert {f.code for f in done.findings} == {"holder-collision"} and "399 blocks" in done.findings[0].text
     assert "holder" in done.findings[0].text
+
+
+@pytest.mark.parametrize("depth", [0.06, 0.25])
+def test_how_deep_a_holder_goes_at_the_end_of_a_block_is_known_to_one_percent(depth):
+    """Beside a step of 12 mm the holder, 10 mm above the tip, comes down on its top; and slides on there."""
+    body = body_of(Cutter(4.0, 6.0), holder=[(40.0, 30.0)])
+    low = body.only(HOLDER).pieces[0].low
+    places = [(0.0, -12.0, 12.0 - low + above) for above in (3.0, -0.5 * depth, -depth)]
+    swept = course_through(*places, *((x, -12.0, 12.0 - low - depth) for x in np.linspace(0.1, 1.0, 9)))
+    done = check_motion(step(height=12.0), body, swept, np.zeros(11, np.int8), LIMIT)
+    assert done.findings[0].value == pytest.approx(depth, rel=0.011, abs=0.1 * LIMIT)
+    assert done.above.depth[2:].min() > 0.9 * depth and done.above.bound.max() < 1.02 * depth + 2 * LIMIT
+
+
+def test_only_blocks_that_may_be_deepest_are_looked_at_closely(monkeypatch):
+    monkeypatch.setattr(check, "CLOSER", 1)
+    monkeypatch.setattr(check, "ROUGHLY", 3.0)
+    body = body_of(Cutter(4.0, 6.0), holder=[(40.0, 30.0)])
+    low = body.only(HOLDER).pieces[0].low
+    swept = course_through(*((x, -12.0, 12.0 - low - depth) for x, depth in ((0, 0.5), (1, 1.0), (2, 0.5))))
+    found = check_motion(step(height=12.0), body, swept, np.zeros(2, np.int8), LIMIT)
+    assert found.above.depth.max() == pytest.approx(1.0, rel=0.011)
 
 
 def test_an_open_mesh_has_no_inside_but_its_surface_is_checked():

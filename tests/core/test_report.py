@@ -344,3 +344,16 @@ def test_other_findings_with_a_place_are_markers_too():
 
 def test_a_program_without_blocks_has_no_markers():
     assert markers(empty()) == ()
+
+
+def test_what_arithmetic_leaves_of_no_deviation_is_no_deviation():
+    """Neither text nor page name a worst block, draw one, or give a number of it; the figures stay as they
+    are."""
+    figures = table2()
+    exact = np.where(np.isfinite(figures.deviation.segment), 8e-15, np.nan)
+    none = dataclasses.replace(
+        figures, deviation=dataclasses.replace(figures.deviation, segment=exact, bound=exact), findings=()
+    )
+    assert "Worst blocks" in as_text(figures) and "Worst blocks" not in as_text(none)
+    assert "largest deviation 0 mm, proven bound 1e-09 mm" in " ".join(as_text(none).split())
+    assert summary(none)["max_segment_deviation"] == 8e-15

@@ -320,6 +320,20 @@ def test_the_recommended_one_deviates_least_then_rewinds_least_then_is_quickest_
     assert recommend_setup(origin, (0.0, 0.0, 0.0), *columns, enough) == best
 
 
+def test_a_part_is_turned_only_where_that_gains():
+    """The same place half a turn about C, to a hair better, is the same setup; a turn that gains is taken."""
+    origin, base = np.array([[-17.6, 10.3, 0.0], [17.6, -10.3, 0.0], [17.6, -10.3, 0.0]]), (17.6, -10.3, 0.0)
+    turn, alike, one = np.array([0.0, math.pi, -math.pi]), np.ones(3), np.zeros(3, np.int64)
+    within = np.ones(3, np.bool_)
+    near = np.array([1.421231, 1.421186, 1.421186])
+    assert recommend_setup(origin, base, near, alike, one, within, 0.0, turn) == 0
+    assert recommend_setup(origin, base, near, alike, one, within, 0.0) == 1
+    assert recommend_setup(origin, base, np.array([2.0, 1.0, 1.0]), alike, one, within, 0.0, turn) == 1
+    assert (
+        recommend_setup(origin, base, near, alike, one, within, 0.0, np.array([2.0 * math.pi, 3.0, 3.0])) == 0
+    )
+
+
 def test_markers_stand_at_places_of_the_map_in_work_coordinates(chart):
     made = setup_markers(chart)
     assert all(isinstance(one, Marker) for one in made)

@@ -17,3 +17,6 @@ is meant."""
 LEAST_CHANGE, LARGEST_CHANGE = 10.0 * OFF_POLE, math.radians(30.0)
 """rad; how far an axis may be led past the pole. Below it there is no room to lead in; an axis that is led
 further has little to do with the strategy that was chosen."""
+
+ROUNDING = 1e-9
+"""mm; a deviation that is less is what the arithmetic leaves of none."""

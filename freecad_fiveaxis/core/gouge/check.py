@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.sentences import (
     join_sentences,
     say,
 )
-from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program, find_unknown_ways
@@ -40,12 +40,15 @@ from .known_depths import Entries
 from .rapid_check import check_rapids, rapid_findings
 from .rapid_ways import WayEntries
 from .search import find_entries
-from .spots import MOST_SPOTS, spots
+from .spots import MOST_SPOTS, deepest_of, spots
 from .swept_motion import SweptMotion, real_motion, straight_motion, without_ways
 
 ROUGHLY = 0.1
-"""mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance
-all the same."""
+"""mm; so well is known of most blocks how deep shank and holder are in the part. Whether they are is known to
+the tolerance all the same."""
+
+CLOSER = 512
+"""Blocks, those that may be deepest, of which it is known as well as of the cutter."""
 
 GOUGES = (Code.OVERCUT, Code.RAPID_COLLISION, Code.HOLDER_COLLISION)
 """The codes of the findings."""
@@ -123,9 +126,7 @@ def check_motion(
     """
     tree = facet_tree(mesh)
     cutter = find_entries(body.only(CUTTER), tree, swept, tolerance, progress=progress)
-    above = find_entries(
-        body.only(SHANK, HOLDER, SPINDLE), tree, swept, tolerance, ROUGHLY, progress=progress
-    )
+    above = _find_above(body.only(SHANK, HOLDER, SPINDLE), tree, swept, tolerance, progress)
     buried = np.zeros(len(swept), np.bool_)
     if is_closed(mesh):
         buried = find_buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)
@@ -134,6 +135,19 @@ def check_motion(
         cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), swept, whole, remedy
     )
     return GougeCheck(cutter, above, buried, findings)
+
+
+def _find_above(
+    above: Body, tree: FacetTree, swept: SweptMotion, tolerance: float, progress: Progress
+) -> Entries:
+    """Find the entries of what is ``above`` the cutter: roughly, then closely in the blocks of which some may
+    be deepest."""
+    rough = find_entries(above, tree, swept, tolerance, ROUGHLY, progress=progress)
+    blocks = np.flatnonzero(rough.depth)
+    blocks = blocks[np.argsort(-rough.bound[blocks], kind="stable")[:CLOSER]]
+    if len(blocks):
+        rough.replace_rows(find_entries(above, tree, swept, tolerance, blocks=blocks), blocks)
+    return rough
 
 
 def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> SweptMotion:
@@ -206,11 +220,7 @@ def _spots(
         )
         sentence = join_sentences((sentence, remedy if code == Code.OVERCUT else ""))
         if k == 0 and blocks > 1:
-            sentence += say(
-                " This is the deepest of {blocks} blocks in {places} places.",
-                blocks=blocks,
-                places=len(worst),
-            )
+            sentence += deepest_of(blocks, len(worst))
         row, line = where(block)
         found.append(report_finding(code, sentence, float(depth[block]), tolerance, row, line, (x, y, z)))
     return found

@@ -36,6 +36,11 @@ class Entries:
         column = np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3))
         return cls(*column, np.full(m, -1), np.zeros(m, np.int64))
 
+    def replace_rows(self, other: Entries, blocks: Ints) -> None:
+        """Take the entries of these ``blocks`` (k,) from another search of the same m blocks."""
+        for name, column in vars(other).items():
+            getattr(self, name)[blocks] = column[blocks]
+
 
 @dataclass(frozen=True, eq=False)
 class KnownDepths:

@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .joint_box import JointSpace
 from .rapid_ways import WayEntries, find_way_entries
-from .spots import MOST_SPOTS, spots
+from .spots import MOST_SPOTS, deepest_of, spots
 
 ENTERS = {
     INDEPENDENT: Template(
@@ -77,11 +77,7 @@ def rapid_findings(ways: WayEntries, program: Program, tolerance: float, rapids:
             part=PARTS[int(ways.part[block])], depth=Length(depth, ".3g"), at=Point((x, y, z), ".4g")
         )
         if k == 0 and blocks > 1:
-            text += say(
-                " This is the deepest of {blocks} blocks in {places} places.",
-                blocks=blocks,
-                places=len(worst),
-            )
+            text += deepest_of(blocks, len(worst))
         text = join_sentences((text, REMEDY))
         found.append(
             report_finding(Code.INDEPENDENT_RAPID, text, depth, tolerance, block + 1, line, (x, y, z))

@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Sentence, say
 
 MOST_SPOTS = 10
 """Findings of one kind; more would bury each other."""
@@ -20,3 +21,10 @@ def spots(depth: Floats) -> tuple[Ints, int]:
     order = np.lexsort((-depth[rows], spot))
     worst = rows[order[np.flatnonzero(np.diff(spot[order], prepend=-1))]]
     return worst[np.argsort(-depth[worst], kind="stable")], len(rows)
+
+
+def deepest_of(blocks: int, places: int) -> Sentence:
+    """Say of how many blocks, in how many places, the one just named is the deepest."""
+    if places == 1:
+        return say(" This is the deepest of {blocks} blocks there.", blocks=blocks)
+    return say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=places)

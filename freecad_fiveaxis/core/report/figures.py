@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.audit.rates import RATE_ROUNDING
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.ranges import ROUNDING
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Sentence
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -283,6 +284,12 @@ def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, An
         | more[at]
         for at, row in enumerate(chosen)
     ]
+
+
+def table_of_deviations(figures: Figures) -> list[dict[str, Any]]:
+    """Return :func:`worst_table`; nothing where no block deviates by more than rounding."""
+    shown = figures.judged.segment[figures.worst]
+    return worst_table(figures) if len(shown) and not shown.max() < ROUNDING else []
 
 
 def worst_of_audit(figures: Figures) -> dict[str, list[dict[str, Any]]]:

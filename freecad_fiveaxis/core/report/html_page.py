@@ -51,6 +51,8 @@ GLOSSARY = {
     "Axis deviation": "How far the tool tilts out of the plane of its two end positions, in degrees.",
     "Feed block, rapid": "A feed block may touch the part. A rapid goes through the air and is not judged "
     "here.",
+    "cut, fill, link": "What a feed block does: it cuts along a pass, closes the gap between two pieces of "
+    "one at an edge, or leads from one pass to the next.",
     "Near the pole": (
         "Where the tool stands almost along the first rotary axis, this axis must turn far to lean the tool "
         "a little, as a compass needle does near the pole of the earth. Textbooks call it a singularity."

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .figures import Figures, worst_of_audit, worst_table
+from .figures import Figures, table_of_deviations, worst_of_audit
 from .html_elements import section, table
 from .part_facts import deepest_entries
 from .text import number
@@ -19,7 +19,7 @@ BALL_FIRST = " of the ball's centre"
 
 def worst_blocks(figures: Figures) -> str:
     """Return the blocks with the largest deviations."""
-    rows = worst_table(figures)
+    rows = table_of_deviations(figures)
     if not rows:
         return ""
     letters, ball = list(rows[0]["turn_deg"]), figures.surface is not None
@@ -90,7 +90,7 @@ def audit_sections(figures: Figures) -> list[str]:
     """Return the worst lines of an audit, by each kind of trouble that there is."""
     if figures.audit is None:
         return []
-    tables = {"deviation": worst_table(figures)} | worst_of_audit(figures)
+    tables = {"deviation": table_of_deviations(figures)} | worst_of_audit(figures)
     return [section(HEADINGS[name], _option_table(rows)) for name, rows in tables.items() if rows]
 
 

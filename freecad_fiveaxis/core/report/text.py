@@ -13,7 +13,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.findings import Finding
 
 from .audited import audit_facts
-from .figures import Figures, summary, worst_table
+from .figures import Figures, summary, table_of_deviations
 from .part_facts import part_facts, part_verdict
 from .scope import scope
 from .verdict import find_largest_judged, verdict
@@ -209,7 +209,7 @@ def _facts(numbers: Mapping[str, Any]) -> list[str]:
 
 
 def _worst_lines(figures: Figures) -> list[str]:
-    rows = worst_table(figures)
+    rows = table_of_deviations(figures)
     if not rows:
         return []
     letters = list(rows[0]["turn_deg"])

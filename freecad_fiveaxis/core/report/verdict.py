@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.ranges import ROUNDING
 from freecad_fiveaxis.core.base.sentences import (
     MEASURES,
     Area,
@@ -115,11 +116,13 @@ def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Findin
 
 
 def find_largest_judged(numbers: Mapping[str, Any]) -> tuple[float, float]:
-    """Take from a summary the largest deviation that was judged, mm, and its proven bound, mm."""
+    """Take from a summary the largest deviation that was judged, mm, and its proven bound, mm: 0 and ROUNDING
+    where there is none but by rounding."""
     names = ("max_segment_deviation", "max_bound")
     if numbers["max_surface_deviation"] is not None:
         names = ("max_surface_deviation", "max_surface_bound")
-    return numbers[names[0]], numbers[names[1]]
+    largest, bound = (numbers[name] for name in names)
+    return (0.0, max(bound, ROUNDING)) if largest < ROUNDING else (largest, bound)
 
 
 # ------------------------------------------------------------------------------------------------ red

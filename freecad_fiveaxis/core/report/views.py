@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.ranges import ROUNDING
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
@@ -35,9 +36,11 @@ VIEW = (math.radians(-60.0), math.radians(28.0))
 
 def worst_block(figure: Any, figures: Figures) -> PlotText | None:
     """Return the block of the largest deviation, seen on the plane through the chord in which its curve
-    spreads most."""
+    spreads most; None where it does not deviate."""
     row = int(figures.worst[0])
     value, u = float(figures.judged.segment[row]), float(figures.judged.u_segment[row])
+    if value < ROUNDING:
+        return None
     steps = np.append(np.linspace(0.0, 1.0, SAMPLES), u)
     kinematics, (start, end) = figures.judged.raise_words(
         figures.kinematics, figures.program.words[row - 1 : row + 1]

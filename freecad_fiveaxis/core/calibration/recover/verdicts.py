@@ -293,7 +293,8 @@ def _direction_mismatch(axis: Axis, direction: Floats, name: str, effect: str) -
 def _effect(found: Recovery) -> str:
     if not math.isfinite(found.start_miss):
         return ""
-    return say(" On that machine the tip would be off by up to {miss}.", miss=Length(found.start_miss, ".4g"))
+    miss = Length(found.start_miss, ".4g")
+    return say(" All differences together put the tip off by up to {miss} on that machine.", miss=miss)
 
 
 def _report_assumptions(found: Recovery) -> Iterator[Finding]:

@@ -140,7 +140,7 @@ def _build_map(
     eligible = within & stands & _inside(origin, region)
     turn = np.array([row.turn for row in rows])
     choice = choose_free(
-        lambda able: recommend_setup(origin, base.origin, deviation, time, rewinds, able, enough),
+        lambda able: recommend_setup(origin, base.origin, deviation, time, rewinds, able, enough, turn),
         origin, turn, eligible, bool(within[0] & stands[0]), look,
     )  # fmt: skip
     least = min((one.least for one in found if one.origin is not None), default=math.nan)

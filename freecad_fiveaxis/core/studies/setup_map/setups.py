@@ -181,13 +181,14 @@ class SetupMap:
 
 
 def recommend_setup(
-    origin: Floats, base: Vector, deviation: Floats, time: Floats, rewinds: Ints, within: Bools, enough: float
-) -> int | None:
+    origin: Floats, base: Vector, deviation: Floats, time: Floats, rewinds: Ints, within: Bools,
+    enough: float, turn: Floats | float = 0.0,
+) -> int | None:  # fmt: skip
     """Return the row to take, None where none is within limits.
 
     Of those with hardly more than the least deviation, or with less than is ``enough`` (mm): the fewest
-    rewinds, then the shortest time (to 1 %), then the least way from ``base``. Columns (k,), ``origin`` (k,
-    3).
+    rewinds, then the shortest time (to 1 %), then the part turned least, then the least way from ``base``.
+    Columns (k,), ``turn`` in rad, ``origin`` (k, 3).
     """
     rows = np.flatnonzero(within & np.isfinite(deviation))
     if not len(rows):
@@ -195,6 +196,8 @@ def recommend_setup(
     rows = rows[deviation[rows] <= as_good_as(float(deviation[rows].min()), enough)]
     rows = rows[rewinds[rows] == rewinds[rows].min()]
     rows = rows[time[rows] <= AS_GOOD * time[rows].min()]
+    turned = np.abs(np.angle(np.exp(1j * np.broadcast_to(turn, len(origin)))))[rows]
+    rows = rows[turned == turned.min()]
     return int(rows[np.linalg.norm(origin[rows] - np.array(base), axis=1).argmin()])
 
 
