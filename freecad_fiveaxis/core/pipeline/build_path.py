@@ -46,9 +46,7 @@ def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLP
     return _link_free_contacts(context, offset, axis)[0]
 
 
-def _link_free_contacts(
-    context: MillContext, offset: OffsetPath, axis: Floats
-) -> tuple[CLPath, bool, float]:
+def _link_free_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool, float]:
     """Return the same, whether rows were left out because the tool would enter the part there, and what
     merging rows uses up of the tolerance, mm."""
     settings, cutter = context.settings, context.settings.cutter.cutter

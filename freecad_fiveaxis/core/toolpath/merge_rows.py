@@ -10,9 +10,9 @@ miss      how far a row that was left out is from its span, as a share of what i
           It is measured to one place of the span, and the places of consecutive rows need not be told apart
           further: between two rows both motions are straight, so the way given is nowhere farther from the
           span than at its rows.
-crowd     a run of RUN moves that are on average shorter than the chord of an arc as tight as the cutter
-          itself (:func:`crowding_distance`): around any edge the hub goes on such an arc, on a smooth convex
-          surface on a wider one, so rows that crowd are more than the allowance asks for.
+crowd     rows that are on average nearer to each other than CROWD tolerances. Chords of that length leave an
+          arc of a radius of 80 tolerances by a tenth of the tolerance: rows that crowd are more than even a
+          path that turns as tightly as that would ask for.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from freecad_fiveaxis.core.passes import CREASE
 from .cl_offset import keep_rows
 from .coedge import OffsetPath
 
-RUN = 100
-"""Moves of a crowd: a controller reads some tens of blocks ahead, so fewer short ones do not hold it up."""
+CROWD = 8.0
+"""Of the tolerance. At the usual tolerance and feed a controller has to read 200 such blocks a second."""
 
 PORTION = 32768
 """Spans looked at by one thread at a time."""
@@ -53,53 +53,37 @@ class Allowance:
 class ToolPoints:
     """Points of a tool on its axis: its hub stands ``rise`` mm above the point that goes straight between
     rows, and ``corner`` mm above the tip. ``ring`` mm: no point of its end is farther from the hub, but for
-    what is round it like a ball; 0 for a ball. ``radius`` mm of the whole end."""
+    what is round it like a ball; 0 for a ball."""
 
     rise: float
     corner: float
     ring: float
-    radius: float
 
 
-def crowding_distance(allowed: Allowance, tool: ToolPoints) -> float:
-    """Return the distance, mm, below which rows of a run crowd: ``sqrt(8 off radius)``, the chord that leaves
-    an arc of the cutter's radius by ``off``."""
-    return math.sqrt(8.0 * allowed.off * tool.radius)
+def rows_crowd(path: OffsetPath, tolerance: float) -> bool:
+    """Tell whether the rows of the path, whose centres are the cutter's hubs, are on average nearer to each
+    other than CROWD times the ``tolerance``, mm."""
+    joined = np.diff(path.polyline) == 0
+    steps = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)[joined]
+    return bool(len(steps) and steps.mean() < CROWD * tolerance)
 
 
-def merge_rows(
-    path: OffsetPath, axis: Floats, tool: ToolPoints, allowed: Allowance
-) -> tuple[OffsetPath, Floats]:
-    """Return the path without rows that their neighbours stand for, and its axes (k, 3); the very path where
-    no rows crowd.
+def find_kept_rows(path: OffsetPath, axis: Floats, tool: ToolPoints, allowed: Allowance) -> Ints:
+    """Find the rows (k,) that are kept, so that every other one is within ``allowed`` of the span over it.
 
     ``path`` has the cutter's hubs for its centres, ``axis`` (n, 3) is unit. Ends of polylines and the rows of
-    sharp edges (CREASE) stay, and so does what does not crowd. Every row that is left out is within
-    ``allowed`` of its span.
+    sharp edges (CREASE) stay.
     """
-    fixed = ~find_crowded(path, crowding_distance(allowed, tool)) | _is_sharp(path)
-    if fixed.all():
-        return path, axis
-    rows = _keep(_Way.of(path, axis, tool), fixed, allowed)
-    if len(rows) == len(fixed):
-        return path, axis
-    fill = np.logical_and.reduceat(path.fill, np.append(0, rows[:-1] + 1))  # nothing is cut all the way
+    line = path.polyline
+    fixed = (np.diff(line, prepend=-1) != 0) | (np.diff(line, append=-1) != 0) | _is_sharp(path)
+    return _keep(_Way.of(path, axis, tool), fixed, allowed)
+
+
+def merge_rows(path: OffsetPath, axis: Floats, rows: Ints) -> tuple[OffsetPath, Floats]:
+    """Return the path with these ``rows`` (k,) of it, ascending, and their axes (k, 3): a move closes a gap
+    where all moves did that are merged in it."""
+    fill = np.logical_and.reduceat(path.fill, np.append(0, rows[:-1] + 1))
     return replace(keep_rows(path, rows), fill=fill), take_rows(axis, rows)
-
-
-def find_crowded(path: OffsetPath, distance: float) -> Bools:
-    """Find the rows (n,) inside runs of RUN moves of one polyline whose mean length is below ``distance``
-    mm; first and last row of a run are none."""
-    count, line = len(path.point), path.polyline
-    if count <= RUN:
-        return np.zeros(count, np.bool_)
-    step = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)
-    gone = np.append(0.0, np.cumsum(np.where(line[1:] == line[:-1], step, 0.0)))
-    crowd = (line[RUN:] == line[:-RUN]) & (gone[RUN:] - gone[:-RUN] < RUN * distance)
-    begun = np.zeros(count + 1, np.int64)
-    begun[1 : len(crowd) + 1] += crowd
-    begun[RUN : RUN + len(crowd)] -= crowd
-    return np.asarray(np.cumsum(begun)[:count] > 0)
 
 
 def _is_sharp(path: OffsetPath) -> Bools:
@@ -154,7 +138,7 @@ class _Way:
         swing = self.tool.ring * turn
         missed = np.maximum((deep + swing) / allowed.off, turn / allowed.turn)
         np.maximum(missed, (_length(off) + swing) / allowed.aside, out=missed)
-        return np.maximum(missed, _length(off - self.tool.corner * lean) / allowed.tip, out=missed)
+        return np.asarray(np.maximum(missed, _length(off - self.tool.corner * lean) / allowed.tip))
 
 
 def _length(rows: Floats) -> Floats:
@@ -172,6 +156,8 @@ def _keep(way: _Way, fixed: Bools, allowed: Allowance) -> Ints:
 
     In each round every other row that is not settled yet is left out if all rows of the span that this makes
     are within the allowance, else it is settled: it stays. So each round settles or leaves out about half.
+    Where rows are alike all spans end up as powers of two, so that they may be little longer than half of
+    what would do; then two spans are laid in the place of three.
     """
     kept, settled = np.arange(len(fixed)), fixed
     while len(pick := _every_other(~settled)):
@@ -181,6 +167,8 @@ def _keep(way: _Way, fixed: Bools, allowed: Allowance) -> Ints:
         settled = settled.copy()
         settled[pick] = True
         kept, settled = kept[stays], settled[stays]
+    for phase in range(3):
+        kept = _lay_two_for_three(way, kept, fixed, phase, allowed)
     return kept
 
 
@@ -191,17 +179,30 @@ def _every_other(free: Bools) -> Ints:
     return np.flatnonzero(free & ((place - last) % 2 == 1))
 
 
+def _lay_two_for_three(way: _Way, kept: Ints, fixed: Bools, phase: int, allowed: Allowance) -> Ints:
+    """Return the rows (k,) with every three spans, from the one at ``phase`` on, made two where these are
+    within the allowance: one row half-way instead of two."""
+    first = np.arange(phase, len(kept) - 3, 3)
+    first = first[~(fixed[kept[first + 1]] | fixed[kept[first + 2]])]
+    begin, end = kept[first], kept[first + 3]
+    middle = (begin + end) // 2
+    fits = _may_go(way, np.append(begin, middle), np.append(middle, end), allowed).reshape(2, -1).all(axis=0)
+    kept = kept.copy()
+    kept[first[fits] + 1] = middle[fits]
+    return np.delete(kept, first[fits] + 2)
+
+
 def _may_go(way: _Way, begin: Ints, end: Ints, allowed: Allowance) -> Bools:
     """Find the spans (p,), from rows ``begin`` to rows ``end``, that no row between them misses by more than
     is allowed."""
 
     def look(part: slice) -> Bools:
         low, high = begin[part], end[part]
-        count = high - low - 1
+        count = high - low
         first = np.cumsum(count) - count
         span = run_ids(count)
-        row = np.arange(len(span)) - first[span] + low[span] + 1
+        row = np.arange(len(span)) - first[span] + low[span]  # the first one too, which misses nothing
         missed = way.misses(low[span], row, high[span], allowed)
         return np.asarray(np.maximum.reduceat(missed, first) <= 1.0)
 
-    return np.concatenate(in_threads(look, chunks(len(begin), PORTION)))
+    return np.concatenate([np.zeros(0, np.bool_), *in_threads(look, chunks(len(begin), PORTION))])
