@@ -197,12 +197,15 @@ def _may_go(way: _Way, begin: Ints, end: Ints, allowed: Allowance) -> Bools:
     is allowed."""
 
     def look(part: slice) -> Bools:
-        low, high = begin[part], end[part]
-        count = high - low
-        first = np.cumsum(count) - count
-        span = run_ids(count)
-        row = np.arange(len(span)) - first[span] + low[span]  # the first one too, which misses nothing
-        missed = way.misses(low[span], row, high[span], allowed)
-        return np.asarray(np.maximum.reduceat(missed, first) <= 1.0)
+        fits = np.ones(len(begin[part]), np.bool_)
+        wide = np.flatnonzero(end[part] - begin[part] > 1)
+        if len(wide):
+            low, high = begin[part][wide], end[part][wide]
+            count = high - low - 1
+            first, span = np.cumsum(count) - count, run_ids(count)
+            row = np.arange(len(span)) - first[span] + low[span] + 1
+            missed = way.misses(low[span], row, high[span], allowed)
+            fits[wide] = np.maximum.reduceat(missed, first) <= 1.0
+        return fits
 
     return np.concatenate([np.zeros(0, np.bool_), *in_threads(look, chunks(len(begin), PORTION))])
