@@ -7816,6 +7816,10 @@
         <translation>Zeilen eines Bogens laufen gegen seinen Sinn</translation>
     </message>
     <message>
+        <source>rows of passes that are close together were merged</source>
+        <translation>Bahnpunkte, die dicht beieinander liegen, wurden zusammengefasst</translation>
+    </message>
+    <message>
         <source>rows of the control's table, whose distance is not known; the blocks between are not right. Audit each part on its own</source>
         <translation>Zeilen der Tabelle der Steuerung, deren Abstand nicht bekannt ist; die Sätze dazwischen stimmen nicht. Jeden Teil für sich prüfen</translation>
     </message>
@@ -9746,6 +9750,10 @@
     <message>
         <source>{max_tilt} {tilt} is out of range; give {least} to {most}, or choose {facet_mean}</source>
         <translation>{max_tilt} {tilt} liegt außerhalb; {least} bis {most} angeben oder {facet_mean} wählen</translation>
+    </message>
+    <message>
+        <source>{merged} of {count} rows of the passes, which are close together, were merged; that takes the cutter off the surface by at most {off}.</source>
+        <translation>{merged} von {count} Bahnpunkten, die dicht beieinander liegen, wurden zusammengefasst; das bringt den Fräser um höchstens {off} von der Fläche ab.</translation>
     </message>
     <message>
         <source>{merge} takes no jobs; leave {source} out</source>

@@ -229,6 +229,7 @@ class Code(str, Enum):
         "1",
         "closed passes begin where a rotary axis has room",
     )
+    ROWS_MERGED = "rows-merged", NOTE, "1", "rows of passes that are close together were merged"
     LIMIT = "limit", ERROR, "mm", "an axis leaves its limits"
     FEED_ABOVE_LARGEST = "feed-above-largest", NOTE, "mm/min", "F exceeds the controller's largest"
     FEED_BELOW_STEP = "feed-below-step", WARNING, "mm/min", "F lies below the controller's smallest step"

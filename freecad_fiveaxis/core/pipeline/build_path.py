@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from .avoided import far_enough_rows
 from .bounded import cut_by_hub, leads_outside
 from .context import MillContext
+from .merged import merge_crowded_rows
 from .options import choose_rapid_body, lead_options, reacher_in, tip_to_driven, tip_to_surface, tool_body
 from .records import AssignedAxes, LinkedPath
 from .rotary_axis import turns_the_part
@@ -32,11 +33,11 @@ from .settings.tree import FROM_AXIS
 
 
 def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
-    """Set the cutter on every contact, leave out what would enter where that is asked for, and link the
-    passes over the part."""
-    path, left_out = _link_free_contacts(context, passes.cut, passes.corrected)
+    """Set the cutter on every contact, leave out what would enter where that is asked for, merge rows where
+    they crowd, and link the passes over the part."""
+    path, left_out, merged = _link_free_contacts(context, passes.cut, passes.corrected)
     entering = AIM * context.settings.proof.tolerance if left_out else 0.0
-    return LinkedPath(**vars(passes), path=path, cured=left_out, entering=entering)
+    return LinkedPath(**vars(passes), path=path, cured=left_out, entering=entering + merged)
 
 
 def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
@@ -45,8 +46,9 @@ def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLP
     return _link_free_contacts(context, offset, axis)[0]
 
 
-def _link_free_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool]:
-    """Return the same, and whether rows were left out because the tool would enter the part there."""
+def _link_free_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool, float]:
+    """Return the same, whether rows were left out because the tool would enter the part there, and what
+    merging rows uses up of the tolerance, mm."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     options = LinkOptions(
         clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
@@ -59,6 +61,7 @@ def _link_free_contacts(context: MillContext, offset: OffsetPath, axis: Floats) 
     free, axis = leave_out_rows(context, seated, axis)
     left_out = free is not seated
     seated, axis = far_enough_rows(context, free, axis)
+    seated, axis, merged = merge_crowded_rows(context, seated, axis)
     path = link_rows(
         seated,
         axis,
@@ -69,7 +72,7 @@ def _link_free_contacts(context: MillContext, offset: OffsetPath, axis: Floats) 
         choose_rapid_body(settings),
         _retreats(context, seated, axis),
     )
-    return replace(path, findings=seated.findings + path.findings), left_out
+    return replace(path, findings=seated.findings + path.findings), left_out, merged
 
 
 def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats | None:
@@ -104,9 +107,8 @@ def lift_path(context: MillContext, linked: LinkedPath) -> LinkedPath:
     lifted = lift_free(
         linked.path, tree, body, settings.proof.tolerance, driven, context.progress, above, aside
     )
-    return replace(
-        linked, path=lifted.path, cured=linked.cured or bool((lifted.lift > 0.0).any()), entering=lifted.left
-    )
+    cured, entering = linked.cured or bool((lifted.lift > 0.0).any()), max(linked.entering, lifted.left)
+    return replace(linked, path=lifted.path, cured=cured, entering=entering)
 
 
 def keep_links_near(context: MillContext, linked: LinkedPath) -> LinkedPath:
