@@ -57,6 +57,17 @@ def test_a_body_drawn_out_holds_the_points_that_it_holds_anywhere_on_its_way(nam
     assert ((standing > 0.0) != (one_by_one > 0.0)).any(), "a body that stays where it is would be noticed"
 
 
+@pytest.mark.parametrize(("name", "count"), [("ball", 2), ("bull", 2), ("thinner shank", 6)])
+def test_a_cutters_end_is_no_piece_of_its_own_in_a_body_drawn_out(name, count):
+    body, random = BODIES[name], np.random.default_rng(6)
+    drawn = extend_way_out(body, 50.0)
+    assert len(drawn.pieces) == count
+    point = random.uniform((-20, -20, -5), (20, 20, 110), (3000, 3))
+    for part in {piece.part for piece in body.pieces}:
+        all_over, standing = (depth_of(one.only(part), np.zeros(3), UP, point) for one in (drawn, body))
+        assert (all_over >= standing).all(), "what is left out is nowhere deeper"
+
+
 @pytest.mark.parametrize(
     "part", [lambda: step(6.0), lambda: bowl_block(11.0, cells=16), lambda: blade_beside_hub(cells=16)]
 )

@@ -93,18 +93,17 @@ class Refinement:
         start, end, bend, loose, top = ways
         high = compute_needed_height(piece, top)
 
-        def compute_bounds(g: Floats) -> tuple[Floats, Floats, Floats]:
+        def compute_ends(g: Floats) -> tuple[Floats, Floats]:
             over = np.maximum(*(support_at(piece, there, g, loose, high) for there in (start, end))) + bend
-            begins, half_way = (
-                (g * left.corner).sum(axis=1).min(axis=0),
-                support_at(piece, pose, g, high=high),
-            )
-            return over - begins, over - half_way, half_way - begins
+            return over, (g * left.corner).sum(axis=1).min(axis=0)
 
-        most, in_time, flat = compute_bounds(g)
+        over, begins = compute_ends(g)
+        half_way = support_at(piece, pose, g, high=high)
+        most, in_time, flat = over - begins, over - half_way, half_way - begins
         normal = self.tree.plates(self.tree.leaf + left.leaf).normal
         for direction in (normal, -normal):
-            most = np.minimum(most, compute_bounds(direction)[0])
+            over, begins = compute_ends(direction)
+            most = np.minimum(most, over - begins)
         if piece.round == 0.0:
             ends = []
             for g in end_and_side(piece, pose, point):

@@ -100,26 +100,32 @@ class Traversal:
             floor.take(rows),
             most.take(rows),
         )
-        for bound in (plate_bound, facet_bound):
-            most = np.minimum(most, bound(core, ways, self.tree, node))
+        most = np.minimum(most, plate_bound(core, ways, self.tree, node))
+        left = np.flatnonzero(most > floor)
+        rows, ways, node, floor, most = (
+            rows.take(left),
+            ways.take(left),
+            node.take(left),
+            floor.take(left),
+            most.take(left),
+        )
+        if (node >= self.tree.leaf).any():
+            most = np.minimum(most, facet_bound(core, ways, self.tree, node))
             left = np.flatnonzero(most > floor)
-            rows, ways, node, floor, most = (
-                rows.take(left),
-                ways.take(left),
-                node.take(left),
-                floor.take(left),
-                most.take(left),
-            )
+            rows, ways, node, most = rows.take(left), ways.take(left), node.take(left), most.take(left)
         least, place = (
             least_depth(piece, ways, self.tree.points(node)) + self.tree.least_of(node),
             place.take(rows),
         )
+        enters = least > self.known.limit
+        if not enters.any():  # nothing is learned that could clear one of them
+            return rows, enters
         if self.known.lift is None:
             self.known.learn(place, least)
         elif demanded is not None:
-            deep = np.flatnonzero((least > self.known.limit) & (place < len(self.known.reached)))
+            deep = np.flatnonzero(enters & (place < len(self.known.reached)))
             demand_points(
                 demanded, place.take(deep), self.body, ways.take(deep), self.tree.points(node.take(deep))
             )
         left = np.flatnonzero(most > self.known.floors.take(place) - off - self.tree.most_of(node))
-        return rows.take(left), least.take(left) > self.known.limit
+        return rows.take(left), enters.take(left)

@@ -101,15 +101,27 @@ def grow_body(body: Body, by: float) -> Body:
 
 def extend_way_out(body: Body, far: float) -> Body:
     """Put the body in all places at once that it takes while it is drawn out along its axis by ``far`` mm:
-    above every piece that is wider than those below a cylinder stands, from where the piece is widest."""
+    above every piece that is wider than those below a cylinder stands, from where the piece is widest. A
+    cutter's end, which lies partly in that, is its lower end, and no piece to be searched by itself."""
     pieces, widest = list[Piece](), 0.0
     for piece in sorted(body.pieces, key=lambda piece: piece.low - piece.round):
         start = piece.high if piece.high_radius >= piece.low_radius else piece.low
+        if pieces and _goes_on(pieces[-1], piece):
+            pieces[-1] = pieces[-1]._replace(low=piece.low)
+            continue
         pieces.append(piece)
         if piece.widest > widest:
             widest = piece.widest
             pieces.append(frustum_piece(start, widest, min(start + far, LARGEST), widest, piece.part))
     return Body(tuple(pieces))
+
+
+def _goes_on(over: Piece, piece: Piece) -> bool:
+    """Tell whether two cylinders of one part, the second one begun lower and ended within the first, are
+    equally wide: together they are one."""
+    disc, part = (over.low_radius, over.high_radius, over.round, over.bulge), over.part
+    alike = disc == (piece.low_radius, piece.high_radius, piece.round, piece.bulge) and part == piece.part
+    return alike and over.low_radius == over.high_radius and piece.low <= over.low <= piece.high <= over.high
 
 
 def round_piece(ring: float, corner: float, height: float, part: int = CUTTER) -> Piece:
