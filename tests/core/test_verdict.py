@@ -18,7 +18,16 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.gouge import Entries, GougeCheck, program_motion
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.report import Light, as_html, as_json, as_text, html_page, summary, verdict
+from freecad_fiveaxis.core.report import (
+    Light,
+    as_html,
+    as_json,
+    as_text,
+    find_largest_judged,
+    html_page,
+    summary,
+    verdict,
+)
 from freecad_fiveaxis.core.tool.body import body_of
 from freecad_fiveaxis.core.toolpath.apt import write_apt
 from freecad_fiveaxis.core.toolpath.apt.head import of_cl_file
@@ -301,3 +310,10 @@ def sheet():
 
 def test_of_a_part_that_is_finished_no_share_is_reported(outcome):
     assert "unfinished" not in list_reported(outcome(sheet)).text
+
+
+def test_of_what_is_guided_no_bound_is_given_and_of_rounding_the_least():
+    numbers = dict.fromkeys(("max_surface_deviation", "max_surface_bound"))
+    assert find_largest_judged(numbers | {"max_segment_deviation": 0.0, "max_bound": 0.0}) == (0.0, 0.0)
+    assert find_largest_judged(numbers | {"max_segment_deviation": 8e-15, "max_bound": 2e-14}) == (0.0, 1e-9)
+    assert find_largest_judged(numbers | {"max_segment_deviation": 1e-3, "max_bound": 2e-3}) == (1e-3, 2e-3)

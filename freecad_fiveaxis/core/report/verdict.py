@@ -122,7 +122,7 @@ def find_largest_judged(numbers: Mapping[str, Any]) -> tuple[float, float]:
     if numbers["max_surface_deviation"] is not None:
         names = ("max_surface_deviation", "max_surface_bound")
     largest, bound = (numbers[name] for name in names)
-    return (0.0, max(bound, ROUNDING)) if largest < ROUNDING else (largest, bound)
+    return (0.0, max(bound, ROUNDING)) if 0.0 < largest < ROUNDING else (largest, bound)
 
 
 # ------------------------------------------------------------------------------------------------ red
