@@ -5260,12 +5260,12 @@
         <translation>Den Satz teilen.</translation>
     </message>
     <message>
-        <source>Stand {place}: largest deviation of the tip {deviation} instead of {now}, {times} times less.</source>
-        <translation>Aufstellen: {place}. Größte Abweichung der Spitze {deviation} statt {now}, {times}-mal weniger.</translation>
+        <source>Stand {place}: largest deviation {whose} {deviation} instead of {now}, {times} times less.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung {whose} {deviation} statt {now}, {times}-mal weniger.</translation>
     </message>
     <message>
-        <source>Stand {place}: largest deviation of the tip {deviation}.</source>
-        <translation>Aufstellen: {place}. Größte Abweichung der Spitze {deviation}.</translation>
+        <source>Stand {place}: largest deviation {whose} {deviation}.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung {whose} {deviation}.</translation>
     </message>
     <message>
         <source>Subprograms are not interpreted, because of this line: {reason}. Post one program without them.</source>
@@ -5448,8 +5448,8 @@
         <translation>Der Postprozessor meinte: {layout}. Das erklärt {count} von {all} Zeilen auf {worst} genau.</translation>
     </message>
     <message>
-        <source>The present setup is as good as any of the region: largest deviation of the tip {deviation}.</source>
-        <translation>Die jetzige Aufspannung ist so gut wie jede des Bereichs: größte Abweichung der Spitze {deviation}.</translation>
+        <source>The present setup is as good as any of the region: largest deviation {whose} {deviation}.</source>
+        <translation>Die jetzige Aufspannung ist so gut wie jede des Bereichs: größte Abweichung {whose} {deviation}.</translation>
     </message>
     <message>
         <source>The program begins and ends at Z {height}. Only from Z {need} on are tool and spindle above what the axes carry, wherever these stand before: {names}.</source>
@@ -7550,6 +7550,14 @@
     <message>
         <source>nothing that is to be cut faces away from the axis of the passes; give the axis about which the part is turned</source>
         <translation>nichts, was bearbeitet werden soll, ist von der Achse der Bahnen abgewandt; geben Sie die Achse an, um die das Werkstück gedreht wird</translation>
+    </message>
+    <message>
+        <source>of the ball's centre</source>
+        <translation>der Kugelmitte</translation>
+    </message>
+    <message>
+        <source>of the tip</source>
+        <translation>der Spitze</translation>
     </message>
     <message>
         <source>of what stays a fixture keeps the tool off so much</source>

@@ -24,7 +24,7 @@ def path(doc, ball):
 
 def test_the_map_says_where_to_clamp_and_applying_it_lowers_the_deviation(path):
     result = app.setup_map(path, **SMALL)
-    before = path.MaxSegmentDeviation.Value
+    before = path.MaxSurfaceDeviation.Value
     assert result.DeviationBefore.Value == pytest.approx(before, abs=1e-9)
     assert result.DeviationAfter.Value < 0.5 * before and result.UpToDate
     assert result.Kinds[:2] == ["setup-best", "setup-present"] and len(result.Places) == 2 + 18
@@ -33,7 +33,7 @@ def test_the_map_says_where_to_clamp_and_applying_it_lowers_the_deviation(path):
     assert tuple(result.Places[0] - result.Places[1]) == pytest.approx(tuple(best - present))
     app.apply_setup(result)
     assert tuple(path.Origin) == pytest.approx(tuple(best)) and not path.OriginFromMachine
-    assert path.MaxSegmentDeviation.Value == pytest.approx(result.DeviationAfter.Value, abs=1e-9)
+    assert path.MaxSurfaceDeviation.Value == pytest.approx(result.DeviationAfter.Value, abs=1e-9)
     assert result.UpToDate, "the map is of the same path about the same centre"
 
 

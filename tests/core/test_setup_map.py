@@ -17,11 +17,11 @@ from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsErr
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
-from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
+from freecad_fiveaxis.core.motion.deviation import measure, measure_above, quick_bound
 from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.motion.program import build_program
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.report import Marker
+from freecad_fiveaxis.core.report import Marker, summary
 from freecad_fiveaxis.core.report.figures import feed_blocks
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.setup_map import (  # fmt: skip
@@ -145,8 +145,29 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
         build_settings("mill", "cap.stl", {**given, **UNCURED}),
         mesh=from_faces(turn_points(off.vertex, turn), off.face),
     )
-    segment = measure(result.kinematics, result.program.words).segment[feed_blocks(result.program)]
+    centre = result.settings.cutter.cutter.radius
+    found = measure_above(result.kinematics, result.program.words, centre, result.dialect.linear_decimals)
+    segment = found.segment[feed_blocks(result.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("cutter", "whose", "name"),
+    [("ball:10", "max_surface_deviation", "centre"), ("flat:6", "max_segment_deviation", "tip")],
+)
+def test_a_setup_is_judged_by_what_the_verdict_of_its_program_goes_by(cutter, whose, name):
+    """Of a ball by its centre, which makes the surface; the tip's deviation is another one."""
+    given = {"machine": "trunnion_ac", "stepover": 8.0, "cutter": cutter, **UNCURED}
+    given["origin"], part = (60.0, 10.0, -20.0), cap(rings=10, sectors=30)
+    wanted = build_settings("setup", "cap.stl", {**given, "grid": "2,2,1"})
+    tried = trials.try_setups(wanted, mesh=part)
+    run = job.prove(job.make(build_settings("mill", "cap.stl", given), mesh=part))
+    numbers = summary(job.figures(run))
+    assert tried.chart.max_deviation[0] == pytest.approx(numbers[whose], abs=1e-6)
+    assert json.loads(setup_json(tried.chart))["deviation_of"] == name
+    assert ("ball's centre" if name == "centre" else "of the tip") in verdict(tried.chart)
+    if name == "centre":
+        assert abs(numbers["max_segment_deviation"] - numbers[whose]) > 0.005
 
 
 def test_the_present_row_is_what_mill_reports(chart):
@@ -157,11 +178,13 @@ def test_the_present_row_is_what_mill_reports(chart):
 
 
 @pytest.mark.thorough
-def test_the_deviation_is_convex_in_the_work_zero():
+@pytest.mark.parametrize("above", [0.0, 5.0])
+def test_the_deviation_is_convex_in_the_work_zero(above):
     """What the proof rests on: at the middle of two work zeros it is no more than the mean, but for the
-    rounding of words."""
+    rounding of words; of the tip and of a point on the axis alike."""
     result, rng = milled(**COARSE), np.random.default_rng(1)
-    driven = drive_turned(result.path, result.machine, Setup(), posting(result), 0.3)
+    posted = replace(posting(result), above=above)
+    driven = drive_turned(result.path, result.machine, Setup(), posted, 0.3)
     for _ in range(12):
         a, b = rng.uniform(-150.0, 150.0, (2, 3))
         ends = [driven.cost(one).deviation for one in (a, b)]
@@ -169,11 +192,13 @@ def test_the_deviation_is_convex_in_the_work_zero():
 
 
 @pytest.mark.thorough
-def test_no_work_zero_has_less_than_the_proven_least():
+@pytest.mark.parametrize("above", [0.0, 5.0])
+def test_no_work_zero_has_less_than_the_proven_least(above):
     result, rng = milled(**COARSE), np.random.default_rng(2)
     region = Region((-80.0, -80.0, -80.0), (80.0, 80.0, 80.0), (1, 1, 1))
-    chart = setup_map(result.path, result.machine, Setup((70.0, 0.0, 0.0)), region, posting(result))
-    driven = drive_turned(result.path, result.machine, Setup(), posting(result), 0.0)
+    posted = replace(posting(result), above=above)
+    chart = setup_map(result.path, result.machine, Setup((70.0, 0.0, 0.0)), region, posted)
+    driven = drive_turned(result.path, result.machine, Setup(), posted, 0.0)
     around = np.concatenate(
         [rng.uniform(-80.0, 80.0, (20, 3)), chart.origin[-1] + rng.normal(0.0, 3.0, (20, 3))]
     )

@@ -67,7 +67,7 @@ def test_setup_prints_the_origin_that_makes_mill_reach_the_deviation_of_the_map(
     assert code in (cli.DONE, cli.DONE_WITH_ERRORS)
     summary = json.loads((tmp_path / "m.json").read_text())["summary"]
     best = record["setups"][record["best"]]
-    assert summary["max_segment_deviation"] == pytest.approx(best["max_deviation"], abs=1e-6)
+    assert summary["max_surface_deviation"] == pytest.approx(best["max_deviation"], abs=1e-6)
     assert summary["time_s"] == pytest.approx(best["time_s"], abs=1e-6)
     assert best["max_deviation"] < record["setups"][0]["max_deviation"]
 

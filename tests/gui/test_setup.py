@@ -71,7 +71,7 @@ def seen(pixels, picture, rgba, box):
 def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, tree_row, press, field, ask_small, click, until,
                                                               panel_button, screenshot, pixels, view_box, pump,
                                                               panel_closed):  # fmt: skip
-    before = path.MaxSegmentDeviation.Value
+    before = path.MaxSurfaceDeviation.Value
     tree_row(path.Label)
     press("FiveAxis_Setup")
     screenshot("setup_panel")
@@ -95,7 +95,7 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     ):
         until(lambda: seen(pixels, screenshot("setup_map"), colour, view_box()) > 60, 30000, what)  # noqa: B023
     click(field("apply"))
-    until(lambda: path.MaxSegmentDeviation.Value < before, 60000, "a lower deviation")
+    until(lambda: path.MaxSurfaceDeviation.Value < before, 60000, "a lower deviation")
     message = field("summary")
     until(lambda: message.text().startswith("<p><b>Applied: "), 20000, "that it is applied")
     until(lambda: message.visibleRegion().boundingRect().top() == 0, 20000, "that, seen without scrolling")
@@ -104,7 +104,7 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     panel_closed()
     assert tuple(path.Origin) == pytest.approx(tuple(result.Recommended)) and not path.OriginFromMachine
     assert (
-        path.MaxSegmentDeviation.Value == pytest.approx(result.DeviationAfter.Value, abs=1e-9)
+        path.MaxSurfaceDeviation.Value == pytest.approx(result.DeviationAfter.Value, abs=1e-9)
         and result.UpToDate
     )
     assert doc.UndoCount == 1

@@ -72,17 +72,15 @@ def deviation_words(obj: Any) -> str:
 
 
 def describe_applied(path: Any) -> str:
-    """Return what a path has come to in its new place: of divided blocks what the verdict goes by, else what
-    the map tells of."""
+    """Return what a path has come to in its new place, by what the verdict goes by."""
     from freecad_fiveaxis.app import results, setups
 
+    text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
     if setups.divides_blocks(path):
         text = translate(
             "FiveAxis", "Applied: the largest deviation of the divided blocks is now {deviation}."
         )
-        return text.format(deviation=length_text(results.read_judged(path)[0]))
-    text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
-    return text.format(deviation=length_text(path.MaxSegmentDeviation.Value))
+    return text.format(deviation=length_text(results.read_judged(path)[0]))
 
 
 class SetupPanel(PathPanel):

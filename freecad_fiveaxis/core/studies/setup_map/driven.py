@@ -20,7 +20,15 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, joint_words, q_to_words
+from freecad_fiveaxis.core.machine.kinematics import (
+    Chain,
+    Setup,
+    chain,
+    joint_words,
+    lift_of,
+    q_to_words,
+    raise_chain,
+)
 from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
 from freecad_fiveaxis.core.motion.joint_path import JointPath, solve
 from freecad_fiveaxis.core.motion.joint_path.plan import LINEAR_SLACK
@@ -39,7 +47,7 @@ class Posting:
     """How a path becomes a program: ``dialect`` and feed mode; ``clearance`` mm of rapids; ``radius`` mm of
     the ball; ``part`` (v, 3) mm: points of the part, whose box the rewinds keep out of; None: of the path's
     feed moves. ``above`` mm: so far over the driven point stands the one that makes the surface (a ball's
-    centre), by which ``compare`` divides and measures."""
+    centre), whose deviation counts."""
 
     dialect: Dialect
     inverse_time: bool = True
@@ -100,6 +108,14 @@ class Driven:
         """Words (n, 5) mm and degrees, before rounding."""
         return q_to_words(joint_words(kinematics, self.drive.path.tip[rows], self.drive.angles[rows]))
 
+    def raise_to_surface(self, kinematics: Chain, words: Floats) -> tuple[Chain, Floats]:
+        """Raise chain and ``words`` (n, 5) mm and degrees so that the tip of both is the point that makes the
+        surface, whose deviation counts."""
+        if self.posting.above == 0.0:
+            return kinematics, words
+        lift = lift_of(kinematics, self.posting.above, self.posting.dialect.linear_decimals)
+        return raise_chain(kinematics, lift), words + np.append(lift, (0.0, 0.0))
+
     @property
     def feeds(self) -> Ints:
         """The rows that a feed block ends in."""
@@ -119,7 +135,7 @@ class Driven:
         """Return what the setup costs, of the program's rounded words."""
         kinematics = self.kinematics(origin)
         joints, program = self.post(kinematics)
-        worst = worst_blocks(kinematics, program.words, feed_blocks(program))
+        worst = worst_blocks(*self.raise_to_surface(kinematics, program.words), feed_blocks(program))
         travel = np.abs(np.diff(np.radians(program.words[:, 3:]), axis=0)).sum()
         over = np.maximum(joints.q[:, :3] - kinematics.high[:3], kinematics.low[:3] - joints.q[:, :3]).max(
             initial=0.0

@@ -112,9 +112,7 @@ def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> PlotText:
     log = low > 0.0 and high > LOG_SPREAD * low
     left, right = figure.subplots(1, 2)
     norm = LogNorm(max(low, FLOOR), high) if log else None
-    _panel(
-        figure, left, chart, axes, deviation, outside, ("largest deviation of the tip, mm", "cividis_r", norm)
-    )
+    _panel(figure, left, chart, axes, deviation, outside, ("largest deviation, mm", "cividis_r", norm))
     _panel(figure, right, chart, axes, time / 60.0, outside, ("time, min", "cividis_r", None))
     names = f"{'XYZ'[across]} and {'XYZ'[up]}"
     caption = (
@@ -182,7 +180,7 @@ def _curve(figure: Any, chart: SetupMap, axis: int) -> PlotText:
     deviation, time = (_slice_grid(chart, column, (axis,)) for column in (chart.max_deviation, chart.time))
     left, right = figure.subplots(1, 2)
     for axes, values, label in (
-        (left, deviation, "largest deviation of the tip, mm"),
+        (left, deviation, "largest deviation, mm"),
         (right, time / 60.0, "time, min"),
     ):
         axes.plot(line, values, "o-", color=BLUE)

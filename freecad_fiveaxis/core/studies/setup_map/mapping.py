@@ -83,7 +83,16 @@ def setup_map(
         raise lost[Kind.GRID, region.turns[-1]]
     look = None if collide is None else _look(ground, collide, progress)
     return _build_map(
-        machine, base, region, enough, sorted(rows, key=lambda row: row.kind), found, lost, stand, look
+        machine,
+        base,
+        region,
+        enough,
+        sorted(rows, key=lambda row: row.kind),
+        found,
+        lost,
+        stand,
+        look,
+        posting.above,
     )
 
 
@@ -131,7 +140,7 @@ def _rows(trial: Trial, tried: Tried) -> Iterator[_Row]:
 
 def _build_map(
     machine: Machine, base: Setup, region: Region, enough: float, rows: list[_Row], found: list[Found],
-    lost: dict[tuple[Kind, float], ReachError], stand: _Stand, look: Look | None,
+    lost: dict[tuple[Kind, float], ReachError], stand: _Stand, look: Look | None, above: float,
 ) -> SetupMap:  # fmt: skip
     origin, costs = np.array([row.origin for row in rows]), [row.cost for row in rows]
     deviation, time = np.array([cost.deviation for cost in costs]), np.array([cost.time for cost in costs])
@@ -156,7 +165,7 @@ def _build_map(
         max_deviation=deviation, rotary_travel=np.array([cost.travel for cost in costs]), time=time,
         over=np.array([cost.over for cost in costs]), within_limits=within, stands=stands, rewinds=rewinds,
         kind=np.array([row.kind for row in rows], np.int8), best=best, least=least, table=stand.table,
-        bottom=stand.bottom, hits=choice.hits, findings=findings, least_hit=choice.least,
+        bottom=stand.bottom, hits=choice.hits, findings=findings, least_hit=choice.least, above=above,
     )  # fmt: skip
 
 

@@ -34,7 +34,7 @@ HEAD = (
     "Y, mm",
     "Z, mm",
     "turn, deg",
-    "tip's deviation, mm",
+    "deviation, mm",
     "rotary travel, deg",
     "time",
     "rewinds",
@@ -49,8 +49,9 @@ def verdict(chart: SetupMap) -> Sentence:
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
     place, on_table = _place(chart, chart.best), _on_table(chart, chart.best)
     alone = say(
-        "Stand {place}: largest deviation of the tip {deviation}.", place=place, deviation=Length(best, ".4g")
-    )
+        "Stand {place}: largest deviation {whose} {deviation}.",
+        place=place, whose=_whose(chart), deviation=Length(best, ".4g"),
+    )  # fmt: skip
     if chart.hits[chart.best] > 0.0:
         return join_sentences((_longer_tool(chart), alone, on_table))
     if not math.isfinite(now) or not chart.able[0]:
@@ -63,18 +64,25 @@ def verdict(chart: SetupMap) -> Sentence:
     if now <= LEAST_GAIN * best:
         text = Length(now, ".4g")
         good = say(
-            "The present setup is as good as any of the region: largest deviation of the tip {deviation}.",
+            "The present setup is as good as any of the region: largest deviation {whose} {deviation}.",
+            whose=_whose(chart),
             deviation=text,
         )
         return join_sentences((good, _on_table(chart, 0)))
     stand = say(
-        "Stand {place}: largest deviation of the tip {deviation} instead of {now}, {times} times less.",
+        "Stand {place}: largest deviation {whose} {deviation} instead of {now}, {times} times less.",
         place=place,
+        whose=_whose(chart),
         deviation=Length(best, ".4g"),
         now=Length(now, ".4g"),
         times=Number(now / max(best, 1e-9), ".3g"),
     )
     return join_sentences((stand, on_table))
+
+
+def _whose(chart: SetupMap) -> Sentence:
+    """Name the point whose deviations the map gives, in the genitive."""
+    return say("of the ball's centre") if chart.above else say("of the tip")
 
 
 def _longer_tool(chart: SetupMap) -> Sentence:
@@ -161,8 +169,9 @@ def setup_text(chart: SetupMap) -> str:
 
 
 def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> str:
-    """Return the map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into
-    setups), least, setups, stick_out and jaws (of the recommended setup), findings, inputs (a job file)."""
+    """Return the map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best
+    (index into setups), deviation_of (centre of the ball, or tip), least, setups, stick_out and jaws
+    (of the recommended setup), findings, inputs (a job file)."""
     columns = {
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
         "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
@@ -178,6 +187,7 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
         "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length,
         "table": chart.table,
         "bottom": chart.bottom, "best": chart.best,
+        "deviation_of": "centre" if chart.above else "tip",
         "least": chart.least, "setups": setups, "stick_out": stick_out_record(chart.stick_out),
         "jaws": jaws_record(chart.clamping),
         "findings": chart.findings, "inputs": inputs or {},
@@ -292,5 +302,6 @@ def _say_proven(chart: SetupMap) -> str:
 WORDS = """<dl><dt>Work zero</dt><dd>The zero of the program's coordinates, as it stands in the machine's frame: what a work
 offset (G54) says. The part stands where its own zero does.</dd>
 <dt>Turn</dt><dd>The part turned counter-clockwise about Z through the work zero, seen from above.</dd>
-<dt>Deviation</dt><dd>The largest distance of the tip's real path from the commanded segments, of all blocks at feed.</dd>
+<dt>Deviation</dt><dd>The largest distance of the real path from the commanded segments, of all blocks at feed: of the ball's centre, which
+makes the surface, where the cutter is a ball, else of the tip.</dd>
 <dt>Rewind</dt><dd>A retract inside a cut or between two, because a rotary axis has to turn back.</dd></dl>"""  # noqa: E501

@@ -11,7 +11,7 @@ convex, and a maximum of convex functions is convex:
 and so is the excess over each linear limit. There is one valley: no start can be wrong, and a minimum can be
 proven.
 
-cut     at a block that was measured at o, with x the vector from the chord to the tip at its worst u: for
+cut     at a block that was measured at o, with x the vector from the chord to the point at its worst u: for
         **every** o' the largest deviation is at least ``|x| + x/|x| . (p(o') - p(o))``, a plane under the
         valley (Kelley 1960, J. SIAM 8). For a limit: the excess of a row is itself a plane.
 least   the lowest place above all planes, by linear programming: no work zero of the region can be better
@@ -192,10 +192,11 @@ def _measure_at(driven: Driven, origin: Floats, planes: _Planes) -> tuple[float,
     the others."""
     stations = [driven.kinematics(origin), *(driven.kinematics(origin + SHIFT * way) for way in np.eye(3))]
     words = driven.words(stations[0])
-    worst = worst_blocks(stations[0], words, driven.feeds, BLOCKS)
+    worst = worst_blocks(*driven.raise_to_surface(stations[0], words), driven.feeds, BLOCKS)
     rows, u = worst.row[:BLOCKS], worst.u[:BLOCKS]
     tips = [_tips(driven, kinematics, rows, u) for kinematics in stations]
-    x = off_chord(driven.drive.path.tip, rows, tips[0])
+    start, end = (_tips(driven, stations[0], rows, np.full(len(rows), at)) for at in (0.0, 1.0))
+    x = off_chord(start, end, tips[0])
     distance = np.linalg.norm(x, axis=1)
     toward = x / np.maximum(distance, np.finfo(float).tiny)[:, None]
     planes.add(distance, _slopes([(tip * toward).sum(axis=1) for tip in tips]), origin, limit=False)
@@ -212,15 +213,16 @@ def _slopes(values: list[Floats]) -> Floats:
 
 
 def _tips(driven: Driven, kinematics: Chain, rows: Ints, u: Floats) -> Floats:
-    """Return the real tips (k, 3) at ``u`` (k,) of the blocks that end in ``rows``."""
-    return tip_at(kinematics, driven.words(kinematics, rows - 1), driven.words(kinematics, rows), u)
+    """Return where the point that makes the surface really is (k, 3) at ``u`` (k,) of the blocks that end in
+    ``rows``."""
+    raised, start = driven.raise_to_surface(kinematics, driven.words(kinematics, rows - 1))
+    return tip_at(raised, start, driven.raise_to_surface(kinematics, driven.words(kinematics, rows))[1], u)
 
 
-def off_chord(tip: Floats, rows: Ints, place: Floats) -> Floats:
-    """Return the vectors (k, 3) to ``place`` from the nearest points of the chords of ``tip`` (n, 3) that end
-    in ``rows`` (k,)."""
-    start = tip[rows - 1]
-    chord = tip[rows] - start
+def off_chord(start: Floats, end: Floats, place: Floats) -> Floats:
+    """Return the vectors (k, 3) to ``place`` from the nearest points of the chords from ``start`` to ``end``,
+    all (k, 3) mm."""
+    chord = end - start
     square = np.maximum((chord * chord).sum(axis=1), np.finfo(float).tiny)
     share = np.clip(((place - start) * chord).sum(axis=1) / square, 0.0, 1.0)
     return np.asarray(place - start - share[:, None] * chord)

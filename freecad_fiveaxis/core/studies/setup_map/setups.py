@@ -124,18 +124,19 @@ class SetupMap:
     """One row a setup: row 0 the present one; then the grid, turn after turn, each as ``region.grid()``; then
     what was found.
 
-    ``origin`` (k, 3) mm and ``turn`` (k,) rad; ``max_deviation`` (k,) mm: of the feed blocks of the program
-    that is posted in this setup, as rounded; ``rotary_travel`` (k,) rad and ``time`` (k,) s of the whole
-    program; ``over`` (k,) mm, ``within_limits`` and ``stands`` (k,); ``rewinds`` (k,) retracts to turn back;
-    ``kind`` (k,) of :class:`Kind`. Where the rotary limits allow no way at a turn, its rows are NaN and not
-    within limits. ``best``: the recommended row, None where none is within limits and stands. ``least`` mm:
-    no work zero of the region that stands, at the turns tried, has less deviation (but for rounding of
-    words). ``table`` mm: height of the table's face, machine frame, None where it is not known; ``bottom``
-    mm: the part's lowest place over the work zero. ``hits`` (k,) mm: at least so deep tool or spindle go into
+    ``origin`` (k, 3) mm and ``turn`` (k,) rad; ``max_deviation`` (k,) mm: of the feed blocks of the
+    program that is posted in this setup, as rounded, of the point ``above`` mm over the driven one;
+    ``rotary_travel`` (k,) rad and ``time`` (k,) s of the whole program; ``over`` (k,) mm,
+    ``within_limits`` and ``stands`` (k,); ``rewinds`` (k,) retracts to turn back; ``kind`` (k,) of
+    :class:`Kind`. Where the rotary limits allow no way at a turn, its rows are NaN and not within limits.
+    ``best``: the recommended row, None where none is within limits and stands. ``least`` mm: no work zero
+    of the region that stands, at the turns tried, has less deviation (but for rounding of words).
+    ``table`` mm: height of the table's face, machine frame, None where it is not known; ``bottom`` mm:
+    the part's lowest place over the work zero. ``hits`` (k,) mm: at least so deep tool or spindle go into
     the machine, 0 where they hit nothing, NaN where nobody knows (no bodies, or no need to look).
-    ``stick_out``: the shortest of the tool that is free in the recommended setup, and
-    ``clamping``: what is hit of the fixtures there, and how high jaws may reach; None: nobody has looked.
-    ``least_hit``: where all that were tried hit the machine the row in which that is least; None: not all.
+    ``stick_out``: the shortest of the tool that is free in the recommended setup, and ``clamping``: what
+    is hit of the fixtures there, and how high jaws may reach; None: nobody has looked. ``least_hit``:
+    where all that were tried hit the machine the row in which that is least; None: not all.
     """
 
     machine: str
@@ -160,6 +161,7 @@ class SetupMap:
     stick_out: StickOut | None = None
     clamping: Clamping | None = None
     least_hit: int | None = None
+    above: float = 0.0
 
     def __post_init__(self) -> None:
         freeze(
