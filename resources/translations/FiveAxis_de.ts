@@ -5148,6 +5148,10 @@
         <translation>Auf {area} der bearbeiteten Fläche bleibt mehr als {above} Restmaterial stehen, am meisten bei {place}: {height}; insgesamt {volume}. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
     </message>
     <message>
+        <source>On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in all. Most of that is what no pass touches: whatever the cutter, cut it with other passes.</source>
+        <translation>Auf {area} der bearbeiteten Fläche bleibt mehr als {above} Restmaterial stehen, am meisten bei {place}: {height}; insgesamt {volume}. Das meiste davon berührt keine Bahn: mit anderen Bahnen fräsen, gleich mit welchem Fräser.</translation>
+    </message>
+    <message>
         <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there ({lift}), or use a smaller cutter.</source>
         <translation>Auf {area} der bearbeiteten Fläche wird um mehr als {tolerance} zu tief gefräst, am meisten bei {place}: {height}; insgesamt {volume}. Das Werkzeug dort abheben lassen ({lift}) oder einen kleineren Fräser nehmen.</translation>
     </message>

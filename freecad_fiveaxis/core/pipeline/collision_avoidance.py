@@ -258,11 +258,15 @@ def find_rest_of_program(context: MillContext, program: Program) -> RestMaterial
     )
 
 
-def rest_material_findings(rest: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:
-    """Where more stays than may, and, where no check tells it, where too much is taken off."""
+def rest_material_findings(
+    rest: RestMaterial | None, context: MillContext, earlier: Sequence[Finding] = ()
+) -> tuple[Finding, ...]:
+    """Where more stays than may, and, where no check tells it, where too much is taken off. ``earlier``
+    findings tell what no pass touches."""
     if rest is None:
         return ()
     settings = context.settings
     deep = too_deep_finding(rest, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
     above = compute_allowed_rest(settings, context.mesh, context.keep)
-    return report_uncut(rest, above) + report_blocked(rest, context, above) + deep
+    untouched = area_of(earlier, Code.SIDE_NOT_MACHINED)
+    return report_uncut(rest, above, untouched) + report_blocked(rest, context, above) + deep

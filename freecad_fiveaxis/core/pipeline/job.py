@@ -347,7 +347,8 @@ def _against_part(
         if draft.settings.gouge.rest == "on" and len(cutting(program.motion))
         else None
     )
-    return gouge, rest, (gouge.findings if gouge else ()) + low + rest_material_findings(rest, context)
+    left = rest_material_findings(rest, context, draft.findings)
+    return gouge, rest, (gouge.findings if gouge else ()) + low + left
 
 
 def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]:
