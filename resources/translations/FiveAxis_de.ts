@@ -6224,6 +6224,10 @@
         <translation>mindestens {depth}</translation>
     </message>
     <message>
+        <source>at least {share} % of the surface to be milled stays unfinished</source>
+        <translation>mindestens {share} % der zu fräsenden Fläche bleiben unbearbeitet</translation>
+    </message>
+    <message>
         <source>at most {bound}</source>
         <translation>höchstens {bound} sein</translation>
     </message>
@@ -9024,8 +9028,12 @@
         <translation>{area} ({share} % des Werkstücks) auf ganzen Facetten, etwa bei {place}, liegen so nahe an den ausgesparten Flächen, dass sie ausgelassen werden: der Fräser käme diesen näher als {allowance}.</translation>
     </message>
     <message>
-        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.</source>
-        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei. Mit anderen Achsen ist es auf {could} davon frei: {more}. Für den Rest ein kleineres Werkzeug nehmen.</translation>
+        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames, nor along any other axis that was tried: use a smaller tool.</source>
+        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei und auch in keiner anderen Richtung, die versucht wurde: ein kleineres Werkzeug nehmen.</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames, though it is along other axes: {more}.</source>
+        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei, in anderen Richtungen aber schon: {more}.</translation>
     </message>
     <message>
         <source>{at} in the machine frame with the axes that carry it at zero</source>
@@ -9190,6 +9198,10 @@
     <message>
         <source>{count} facets of {area} ({share} % of the part) lie on {name} and are not machined; {gouge} keeps the tool out of them.</source>
         <translation>{count} Facetten von {area} ({share} % des Teils) liegen auf {name} und werden nicht bearbeitet; {gouge} hält das Werkzeug aus ihnen heraus.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) need a tool axis to which no rotary axis of the machine turns and are left out; turn the part or take another machine to cut them.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) brauchen eine Werkzeugachse, zu der keine Drehachse der Maschine schwenkt, und sind ausgelassen; das Werkstück drehen oder eine andere Maschine nehmen, um sie zu fräsen.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>

@@ -405,7 +405,9 @@ def figures(result: Result) -> Figures:
         mesh=draft.mesh if isinstance(draft, MilledProgram) else None,
         unfinished=compute_unfinished_share(result.findings, draft.mesh, draft.keep)
         if isinstance(draft, MilledProgram) else 0.0,
-        unfinished_parts=divide_unfinished(result.findings, draft.mesh, draft.keep)
+        unfinished_parts=divide_unfinished(
+            result.findings, draft.mesh, draft.keep, result.rest is not None
+        )
         if isinstance(draft, MilledProgram) else None,
         contacts=contacts, stand=_stand(draft, contacts) if isinstance(draft, MilledProgram) else 0.0,
         rapids=rapids_of(draft.settings, draft.machine, draft.dialect),
