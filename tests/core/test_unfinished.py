@@ -2,6 +2,7 @@
 """What stays unfinished, divided into what the tool cannot reach, what the settings leave and what it missed."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from freecad_fiveaxis.core.gouge import RestMaterial, report_uncut, too_tight
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.too_tight import find_ball, find_too_tight
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished, still_true
+from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished, leaves_out, still_true
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import as_text, summary, verdict
 from freecad_fiveaxis.core.report.unfinished import Unfinished, name_unfinished
@@ -156,6 +157,12 @@ def test_a_step_says_how_much_of_what_stays_is_its_inside_corner():
     assert parts["out_of_reach"] > 0.0 and parts["left_by_settings"] > 0.0
     assert "the tool cannot reach (tighter than the cutter)" in verdict(figures, numbers).text
     assert f"(out of reach {100.0 * parts['out_of_reach']:.1f} %" in " ".join(as_text(figures).split())
+
+
+def test_whole_stretches_in_a_corner_have_what_stays_looked_for():
+    corner = report_finding(Code.CORNER_NOT_REACHED, say("A corner."))
+    assert leaves_out((replace(corner, within=0.0),)) and not leaves_out((corner,))
+    assert leaves_out((found_of(Code.AXIS_INTO_PART, 3.0, None),)) and not leaves_out(())
 
 
 def turning():

@@ -111,7 +111,7 @@ def find_uncut(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
 
 def leaves_out(findings: Sequence[Finding]) -> bool:
     """Tell whether places on facets that are cut were left out, of which only a map tells how much stays."""
-    return any(one.within or (one.code in STRETCHES and one.value) for one in findings)
+    return any(one.within is not None or (one.code in STRETCHES and one.value) for one in findings)
 
 
 def compute_allowed_rest(settings: Settings, mesh: Mesh, keep: Bools) -> float:
