@@ -218,16 +218,16 @@ def test_the_command_line_writes_every_report(part, tmp_path, capsys, coarse):
     words = ["reach", str(part), "--machine", "trunnion_ac", "--cutter", "ball:6:20", "--holder", "40x30"]
     outputs = [str(tmp_path / f"reach{ending}") for ending in (".json", ".html", ".txt")]
     assert cli.main([*words, *(word for path in outputs for word in ("--report", path))]) == cli.DONE
-    said = capsys.readouterr().out
+    message = capsys.readouterr().out
     summary = json.loads((tmp_path / "reach.json").read_text())["summary"]
     assert summary["reachable_area"] + sum(summary["by_reason"].values()) == pytest.approx(summary["area"])
     assert sum(row["area"] for row in summary["by_tilt"]) == pytest.approx(summary["reachable_area"])
     assert summary["by_reason"]["holder"] > 20.0 and summary["stick_out"]
-    assert "holder in the way" in said and "Let the tool stick out" in said
+    assert "holder in the way" in message and "Let the tool stick out" in message
     assert "holder in the way" in (tmp_path / "reach.html").read_text()
 
 
-def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is_said(
+def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is_stated(
     tmp_path, capsys, coarse
 ):
     """The block stands on Z 0 of the work: 30 mm below the table where the work zero is, on it where it is 30
@@ -239,10 +239,10 @@ def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is
     shares = {}
     for height in (0, 30):
         assert cli.main([*words, "--origin", f"0,0,{height}"]) == cli.DONE
-        said, made = capsys.readouterr().out, json.loads(report.read_text())
-        shares[height] = made["summary"]["by_reason"]["below_table"] > 0.0
-        assert ("30 mm below the table" in said) == (height == 0)
-        assert ("part-below-table" in {one["code"] for one in made["findings"]}) == (height == 0)
+        message, result = capsys.readouterr().out, json.loads(report.read_text())
+        shares[height] = result["summary"]["by_reason"]["below_table"] > 0.0
+        assert ("30 mm below the table" in message) == (height == 0)
+        assert ("part-below-table" in {one["code"] for one in result["findings"]}) == (height == 0)
     assert shares == {0: False, 30: True}
 
 

@@ -52,14 +52,14 @@ def judged(mesh, **options):
 
 @pytest.mark.parametrize("divided", [lambda mesh: mesh, strips], ids=["fan", "strips"])
 def test_a_round_flat_top_that_no_level_pass_touches_is_not_machined(divided):
-    figures, numbers, said = judged(divided(frustum()), passes="zlevel")
+    figures, numbers, message = judged(divided(frustum()), passes="zlevel")
     (side,) = [one for one in figures.findings if one.code == "side-not-machined"]
     assert side.value == pytest.approx(AREA, rel=0.01)
     assert numbers["unfinished_share"] == pytest.approx(AREA / (AREA + SIDE), rel=0.01)
-    assert said.light.name == "AMBER"
+    assert message.light.name == "AMBER"
 
 
-def test_of_a_top_along_the_passes_no_other_cutter_is_asked_for():
+def test_of_a_top_along_the_passes_no_other_cutter_is_requested():
     """Where the ball touches the rim it leaves h at x behind it, (3 + h)^2 = 9 + x^2 + 6 x n, n the level part of
     the side's normal."""
     figures, _, _ = judged(frustum(), passes="zlevel", rest="on")
