@@ -5152,6 +5152,10 @@
         <translation>Auf {area} der bearbeiteten Fläche bleibt mehr als {above} Restmaterial stehen, am meisten bei {place}: {height}; insgesamt {volume}. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
     </message>
     <message>
+        <source>On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in all. Most of that is what no pass touches: whatever the cutter, cut it with other passes.</source>
+        <translation>Auf {area} der bearbeiteten Fläche bleibt mehr als {above} Restmaterial stehen, am meisten bei {place}: {height}; insgesamt {volume}. Das meiste davon berührt keine Bahn: mit anderen Bahnen fräsen, gleich mit welchem Fräser.</translation>
+    </message>
+    <message>
         <source>On {area} of the machined surface more than {tolerance} is cut too deep, most at {place}: {height}; {volume} in all. Let the tool be lifted there ({lift}), or use a smaller cutter.</source>
         <translation>Auf {area} der bearbeiteten Fläche wird um mehr als {tolerance} zu tief gefräst, am meisten bei {place}: {height}; insgesamt {volume}. Das Werkzeug dort abheben lassen ({lift}) oder einen kleineren Fräser nehmen.</translation>
     </message>
@@ -6222,6 +6226,10 @@
     <message>
         <source>at least {depth}</source>
         <translation>mindestens {depth}</translation>
+    </message>
+    <message>
+        <source>at least {share} % of the surface to be milled stays unfinished</source>
+        <translation>mindestens {share} % der zu fräsenden Fläche bleiben unbearbeitet</translation>
     </message>
     <message>
         <source>at most {bound}</source>
@@ -9036,8 +9044,12 @@
         <translation>{area} ({share} % des Werkstücks) auf ganzen Facetten, etwa bei {place}, liegen so nahe an den ausgesparten Flächen, dass sie ausgelassen werden: der Fräser käme diesen näher als {allowance}.</translation>
     </message>
     <message>
-        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.</source>
-        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei. Mit anderen Achsen ist es auf {could} davon frei: {more}. Für den Rest ein kleineres Werkzeug nehmen.</translation>
+        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames, nor along any other axis that was tried: use a smaller tool.</source>
+        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei und auch in keiner anderen Richtung, die versucht wurde: ein kleineres Werkzeug nehmen.</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames, though it is along other axes: {more}.</source>
+        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei, in anderen Richtungen aber schon: {more}.</translation>
     </message>
     <message>
         <source>{at} in the machine frame with the axes that carry it at zero</source>
@@ -9202,6 +9214,10 @@
     <message>
         <source>{count} facets of {area} ({share} % of the part) lie on {name} and are not machined; {gouge} keeps the tool out of them.</source>
         <translation>{count} Facetten von {area} ({share} % des Teils) liegen auf {name} und werden nicht bearbeitet; {gouge} hält das Werkzeug aus ihnen heraus.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) need a tool axis to which no rotary axis of the machine turns and are left out; turn the part or take another machine to cut them.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) brauchen eine Werkzeugachse, zu der keine Drehachse der Maschine schwenkt, und sind ausgelassen; das Werkstück drehen oder eine andere Maschine nehmen, um sie zu fräsen.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>

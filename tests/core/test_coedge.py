@@ -316,6 +316,7 @@ def test_a_hole_that_the_cutter_does_not_enter_leaves_nothing():
     path = closed(prism([(0, 0), (6, 0), (6, 6), (0, 6)], closed=True))
     assert len(path.point) == 0 and codes(path) == ["corner-not-reached"]
     assert path.findings[0].value is None
+    assert path.findings[0].within == 0.0, "of an area that only a map tells"
 
 
 def random_profile(rng):

@@ -339,10 +339,15 @@ def test_at_seams_on_a_real_part_no_more_than_two_scallops_stay_where_the_tool_i
 # ----------------------------------------------------------------------------------------- what no frame sees
 
 
+@lru_cache
+def roofed():
+    mesh = shelf(gap=7.0, roof=6.0, back=25.0, length=20.0)
+    return mesh, milled(mesh, origin="0,0,80")
+
+
 def test_what_is_under_a_roof_is_reported_with_its_area():
     """The ceiling of a shelf and what lies behind it."""
-    mesh = shelf(gap=7.0, roof=6.0, back=25.0, length=20.0)
-    result = milled(mesh, origin="0,0,80")
+    mesh, result = roofed()
     lost = [
         one
         for one in result.findings
@@ -354,6 +359,32 @@ def test_what_is_under_a_roof_is_reported_with_its_area():
     uncut = ((rest > 2 * SCALLOP + TOLERANCE) & ~standing).mean() * mesh.area.sum()
     reported = sum(one.value for one in lost if "stands on" not in str(one.text))
     assert uncut > 100.0 and reported == pytest.approx(uncut, rel=0.35)
+
+
+def test_facets_that_are_cut_and_those_that_are_not_make_up_the_part_once():
+    """What no frame sees of facets that are cut elsewhere counts as uncut there, not beside them."""
+    mesh, result = roofed()
+    codes = ("outside-frames", "facets-without-free-axis", "facets-looking-down")
+    lost = [one for one in result.findings if one.code in codes]
+    whole = mesh.area[result.draft.keep].sum() + sum(one.value - (one.within or 0.0) for one in lost)
+    assert any(one.within for one in lost) and whole == pytest.approx(mesh.area.sum(), rel=1e-9)
+    assert "uncut" in {one.code for one in result.findings}, "how much stays of them is looked for"
+
+
+def test_what_no_axis_frees_is_not_called_missed_nor_requested_with_other_passes():
+    mesh, keep = block(), np.ones(12, bool)
+    frames = Frames(np.eye(3)[2:], np.zeros((10, 3)), np.tile(np.eye(3)[2], (10, 1)), np.array([0] * 6 + [-1] * 4), 1.0)  # fmt: skip
+    elsewhere = np.zeros(10, bool)
+    (none,) = find_frames._unseen(frames, elsewhere, mesh, keep, keep, 12)
+    assert none.code == "facets-without-free-axis" and "other passes" not in none.text
+    assert none.value == none.within == pytest.approx(0.4 * mesh.area.sum())
+    elsewhere[-2:] = True
+    free, none = find_frames._unseen(frames, elsewhere, mesh, keep, keep, 12)
+    assert (free.code, none.code) == ("outside-frames", "facets-without-free-axis")
+    assert free.value == none.value == pytest.approx(0.2 * mesh.area.sum()) and "other passes" in free.text
+    seen = np.arange(12) >= 2
+    dropped = find_frames._unseen(frames, elsewhere, mesh, keep, seen, 12)
+    assert sum(one.value - one.within for one in dropped) == pytest.approx(mesh.area[:2].sum())
 
 
 def test_fewer_frames_than_it_takes_say_what_they_do_not_see():

@@ -72,6 +72,28 @@ def test_facets_steeper_than_the_largest_axis_angle_are_out_with_their_area(most
     assert steep.value == pytest.approx(area)
 
 
+@pytest.mark.parametrize(
+    ("tilt", "turn", "named"),
+    [
+        ((-30, 50), (-INF, INF), "need A (-30 to 50 deg) beyond its limits"),
+        ((-30, 50), (-180, 180), "need A (-30 to 50 deg) beyond its limits"),
+        ((-30, 50), (-100, 100), "need C (-100 to 100 deg) or A (-30 to 50 deg) beyond its limits"),
+        ((-INF, INF), (-10, 10), "need C (-10 to 10 deg) beyond its limits"),
+    ],
+)
+def test_only_axes_that_have_limits_are_named_as_the_cause(tilt, turn, named):
+    _, found = facets_within_limits(ball(), kinematics(tilt=tilt, turn=turn), math.pi / 2)
+    assert named in codes(found)["facets-beyond-machine"].text
+
+
+def test_where_no_axis_has_limits_it_is_the_directions_that_they_lack():
+    """About Z and an axis that hardly slants from it the tool is led to no wall."""
+    slanting = (0.0, math.sin(0.3), math.cos(0.3))
+    _, found = facets_within_limits(ball(), kinematics(second=slanting), math.pi / 2)
+    text = codes(found)["facets-beyond-machine"].text
+    assert "to which no rotary axis of the machine turns" in text and "inf" not in text
+
+
 def test_a_tilt_limit_leaves_out_what_leans_further():
     mesh = ball()
     keep, found = facets_within_limits(mesh, kinematics(tilt=(-30, 50)), math.pi / 2)

@@ -2,6 +2,7 @@
 """What stays unfinished, divided into what the tool cannot reach, what the settings leave and what it missed."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from freecad_fiveaxis.core.gouge import RestMaterial, report_uncut, too_tight
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.too_tight import find_ball, find_too_tight
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished, still_true
+from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished, leaves_out, still_true
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import as_text, summary, verdict
 from freecad_fiveaxis.core.report.unfinished import Unfinished, name_unfinished
@@ -60,6 +61,41 @@ def test_where_nothing_is_known_to_be_out_of_reach_the_words_are_as_ever():
     for parts in (divided(uncut=60.0), divided(facets_beyond_axis_angle=60.0), None):
         share = 0.1 if parts is None else parts.whole
         assert name_unfinished(share, parts).endswith(" % of the surface to be milled stays unfinished")
+
+
+def found_of(code, value, within):
+    return report_finding(code, say("So."), value, within=within)
+
+
+def divided_of(*found, **more):
+    return divide_unfinished(found, BLOCK, np.ones(len(BLOCK.face), bool), **more)
+
+
+def test_what_lies_on_facets_that_are_cut_is_counted_once_and_by_what_stays_there():
+    """Of 100 mm2 that no axis frees 20 are facets of their own; of the other 80 no more than stays at all."""
+    parts = divided_of(
+        found_of(Code.FACETS_WITHOUT_FREE_AXIS, 100.0, 80.0), found_of(Code.UNCUT, 60.0, None),
+        found_of(Code.UNCUT_TOO_TIGHT, 45.0, None),
+    )  # fmt: skip
+    assert parts.whole == parts.out_of_reach == pytest.approx(80.0 / 620.0)
+    alone = divided_of(found_of(Code.FACETS_WITHOUT_FREE_AXIS, 100.0, 80.0))
+    assert alone.whole == pytest.approx(20.0 / 620.0), "swept from beside, by the map"
+
+
+def test_stretches_beyond_the_limits_are_out_of_reach_as_far_as_something_stays():
+    given = found_of(Code.AXIS_BEYOND_LIMITS, 30.0, 40.0), found_of(Code.FACETS_BEYOND_MACHINE, 60.0, None)
+    parts = divided_of(*given, found_of(Code.UNCUT, 50.0, None))
+    assert parts.whole == pytest.approx(110.0 / 660.0) and parts.missed == pytest.approx(10.0 / 660.0)
+    assert str(name_unfinished(parts.whole, parts)).count("beyond the machine's limits") == 1
+
+
+def test_corners_of_which_nothing_is_known_make_it_at_least():
+    corner = report_finding(Code.CORNER_NOT_REACHED, say("A corner."), 3.0)
+    reach = found_of(Code.FACETS_BEYOND_MACHINE, 60.0, None)
+    least, mapped = divided_of(corner, reach), divided_of(corner, reach, mapped=True)
+    uncut = divided_of(corner, reach, found_of(Code.UNCUT, 5.0, None))
+    assert str(name_unfinished(least.whole, least)).startswith("at least 9.1 %")
+    assert not mapped.at_least and not uncut.at_least and not divided_of(reach).at_least
 
 
 def test_more_cannot_be_out_of_reach_than_stays():
@@ -121,6 +157,32 @@ def test_a_step_says_how_much_of_what_stays_is_its_inside_corner():
     assert parts["out_of_reach"] > 0.0 and parts["left_by_settings"] > 0.0
     assert "the tool cannot reach (tighter than the cutter)" in verdict(figures, numbers).text
     assert f"(out of reach {100.0 * parts['out_of_reach']:.1f} %" in " ".join(as_text(figures).split())
+
+
+def test_whole_stretches_in_a_corner_have_what_stays_looked_for():
+    corner = report_finding(Code.CORNER_NOT_REACHED, say("A corner."))
+    assert leaves_out((replace(corner, within=0.0),)) and not leaves_out((corner,))
+    assert leaves_out((found_of(Code.AXIS_INTO_PART, 3.0, None),)) and not leaves_out(())
+
+
+def turning():
+    """A cylinder that passes about its axis cut as far as A leads."""
+    return solid_of_revolution([(0.0, 15.0), (10.0, 15.0), (10.0, 0.0), (0.0, 0.0)], 48)
+
+
+def test_stretches_that_the_limits_leave_out_count_as_much_as_on_the_map():
+    figures = {rest: judged(turning(), passes="rotary", scallop=0.3, rest=rest) for rest in ("off", "on")}
+    (found, off, message), (_, on, _) = figures.values()
+    assert found["axis-beyond-limits"].within > 0.0
+    assert (
+        off["unfinished_share"] == pytest.approx(on["unfinished_share"], rel=0.01)
+        and on["unfinished_share"] > 0.4
+    )
+    beyond, uncut = found["facets-beyond-machine"].value, found["uncut"].value
+    whole = turning().area.sum() - found["facets-across-axis"].value  # those are no part of such passes
+    assert off["unfinished_share"] == pytest.approx((beyond + uncut) / whole, rel=1e-6)
+    assert "A (-120 to 120 deg)" in found["facets-beyond-machine"].text
+    assert "inf" not in found["facets-beyond-machine"].text and "beyond the machine's limits" in message.text
 
 
 # ------------------------------------------------------------------------------ what is suspected, and what is known

@@ -30,7 +30,8 @@ class Finding:
     ``value`` and ``limit`` are in ``unit`` (``mm``, ``deg``, ``mm2``, ``1`` ...); ``block`` is a row of the
     Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm.
     ``hit``: of a collision with a fixture or the machine; ``near``: of what comes nearer to one than is asked
-    for.
+    for. ``within`` mm2: so much of the surface that is to be cut stays because of it; of an area that is left
+    out so much of it lies on facets that are cut elsewhere.
     """
 
     severity: Severity
@@ -44,6 +45,7 @@ class Finding:
     place: tuple[float, float, float] | None = None
     hit: Hit | None = None
     near: Hit | None = None
+    within: float | None = None
 
 
 def report_finding(
@@ -59,6 +61,7 @@ def report_finding(
     unit: str | None = None,
     hit: Hit | None = None,
     near: Hit | None = None,
+    within: float | None = None,
 ) -> Finding:
     """Make a finding of the list: ``severity`` and ``unit`` are those of its code where none are given."""
     if unit is None:
@@ -75,4 +78,5 @@ def report_finding(
         place,
         hit,
         near,
+        within,
     )

@@ -29,7 +29,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Area, Choice, Length, Point, Volume, say
+from freecad_fiveaxis.core.base.sentences import Area, Choice, Length, Point, Template, Volume, say
 from freecad_fiveaxis.core.base.vectors import dot, length
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool.body import Body, Piece, distance_off
@@ -70,6 +70,9 @@ CHUNK = 131_072
 LITTLE = 1e-4
 """Of the surface: that more than may stays on so little of it, and nowhere twice as much, is told, and no
 reason to check the program."""
+
+MOST_OF = 0.5
+"""Of what is left: where no pass touches so much, no other cutter helps."""
 
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
@@ -341,16 +344,27 @@ def _height(body: Body, pose: Poses, place: Floats) -> Floats:
     return np.asarray(np.min([distance_off(piece, across, along) for piece in body.pieces], axis=0))
 
 
-def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
-    """Return a finding where more than ``above`` mm is left somewhere: area, largest height and its place."""
+_UNCUT = Template(
+    "On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in "
+    "all. Cut these places with a smaller cutter or another tool axis."
+)
+_UNTOUCHED = Template(
+    "On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in "
+    "all. Most of that is what no pass touches: whatever the cutter, cut it with other passes."
+)
+
+
+def uncut_finding(remainder: RestMaterial, above: float, untouched: float = 0.0) -> tuple[Finding, ...]:
+    """Return a finding where more than ``above`` mm is left somewhere: area, largest height and its place.
+    ``untouched`` mm2 of the surface: so much no pass touches, by what is known of the passes; where the map
+    finds less than half of it uncut, the cutter sweeps it from beside."""
     area, volume = remainder.uncut(above)
     if area == 0.0:
         return ()
     worst = int(remainder.height.argmax())
     x, y, z = remainder.point[worst].tolist()
-    text = say(
-        "On {area} of the machined surface more than {above} is left, most at {place}: {height}; {volume} in "
-        "all. Cut these places with a smaller cutter or another tool axis.",
+    template = _UNTOUCHED if MOST_OF * area <= untouched <= area / MOST_OF else _UNCUT
+    text = template.say(
         area=Area(area, ".4g"),
         above=Length(above, ".3g"),
         place=Point((x, y, z), ".6g"),

@@ -58,10 +58,10 @@ def find_too_tight(tree: FacetTree, radius: float, point: Floats, normal: Floats
     return tight
 
 
-def report_uncut(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
+def report_uncut(remainder: RestMaterial, above: float, untouched: float = 0.0) -> tuple[Finding, ...]:
     """Say where more than ``above`` mm is left, and of a cutter with a ball at its end how much of that is
-    too tight for it."""
-    return (*uncut_finding(remainder, above), *report_too_tight(remainder, above))
+    too tight for it. ``untouched`` mm2: what no pass touches."""
+    return (*uncut_finding(remainder, above, untouched), *report_too_tight(remainder, above))
 
 
 def report_too_tight(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Area, Number, Point, say
+from freecad_fiveaxis.core.base.sentences import Area, Number, Point, Sentence, Template, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
@@ -64,8 +64,21 @@ NEIGHBOURS, ROUNDS, TOGETHER = 8, 4, 0.2
 """Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in the
 frame of all of them."""
 
+FEWEST = 2
+"""Places that no frame sees, at least, for their area to be told."""
+
 STEPS = 72
 """Positions of a single rotary axis that are tried."""
+
+_ELSEWHERE = Template(
+    "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none "
+    "of the {count} frames, though it is along other axes: {more}."
+)
+_NOWHERE = Template(
+    "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none "
+    "of the {count} frames, nor along any other axis that was tried: use a smaller tool."
+)
+_KINDS = ((Code.OUTSIDE_FRAMES, _ELSEWHERE), (Code.FACETS_WITHOUT_FREE_AXIS, _NOWHERE))
 
 
 def find_frames(
@@ -94,8 +107,9 @@ def find_frames(
     frames = Frames(axis, places.point, places.normal, assign(free, places, axis), places.spacing)
     elsewhere = np.zeros(len(free), np.bool_)
     elsewhere[rest] = looked.free.any(axis=1)
-    reports = (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _report_frames(frames))
-    return frames, _facets_seen(frames, places, mesh, keep), reports
+    seen = _facets_seen(frames, places, mesh, keep)
+    reports = (*left_out, *_unseen(frames, elsewhere, mesh, keep, seen, count), _report_frames(frames))
+    return frames, seen, reports
 
 
 def _cover_of(nodes: Nodes, freedom: Freedom, most: int, least: float | None = None) -> Ints:
@@ -208,25 +222,47 @@ def _nodes_of(nodes: Nodes, rows: Ints) -> Nodes:
     )
 
 
-def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: int) -> tuple[Finding, ...]:
-    """Return the area that no frame sees, by the share of the places, and what of it is free under another
-    direction (``elsewhere`` (n,)); nothing where it is no more than a single place."""
+def _unseen(
+    frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, seen: Bools, count: int
+) -> tuple[Finding, ...]:
+    """Return the area that no frame sees, by the share of the places: what is free under another direction
+    (``elsewhere`` (n,)), and what under none; nothing where it is no more than a single place. Facets
+    ``keep`` (f,) without those ``seen`` (f,) are not cut; the rest of it lies on facets that are."""
     out = frames.frame < 0
-    if np.count_nonzero(out) < 2:
+    lost = int(np.count_nonzero(out))
+    if lost < FEWEST:
         return ()
-    one = float(mesh.area[keep].sum()) / len(out)
-    lost, could = one * np.count_nonzero(out), one * np.count_nonzero(out & elsewhere)
-    x, y, z = frames.point[int((out & elsewhere if could else out).argmax())].tolist()
+    dropped = float(mesh.area[keep & ~seen].sum()) / lost
+    each = max(float(mesh.area[keep].sum()) / len(out), dropped)
     more = say("allow more frames") if len(frames.axis) == count < MOST else say("cut that with other passes")
-    text = say(
-        "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in "
-        "none of the {count} "
-        "frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.",
+    kinds = zip(_KINDS, _divide_unseen(out, elsewhere), strict=True)
+    return tuple(
+        _report_unseen(code, text, frames.point[some], each, each - dropped, mesh, len(frames.axis), more)
+        for (code, text), some in kinds
+        if some.any()
+    )
+
+
+def _divide_unseen(out: Bools, elsewhere: Bools) -> tuple[Bools, Bools]:
+    """Divide the places ``out`` (n,) that no frame sees into those that are free under another direction and
+    those under none; hardly any of one kind count as the other."""
+    free, none = out & elsewhere, out & ~elsewhere
+    if np.count_nonzero(free) < FEWEST:
+        return np.zeros_like(out), out
+    return (free, none) if np.count_nonzero(none) >= FEWEST else (out, np.zeros_like(out))
+
+
+def _report_unseen(
+    code: Code, text: Template, place: Floats, each: float, within: float, mesh: Mesh, count: int,
+    more: Sentence,
+) -> Finding:  # fmt: skip
+    """Report places (k, 3) of ``each`` mm2, of which so much lies ``within`` facets that are cut."""
+    lost, (x, y, z) = each * len(place), place[0].tolist()
+    sentence = text.say(
         area=Area(lost, ".4g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"),
-        place=Point((x, y, z)),
-        count=len(frames.axis), could=Area(could, ".4g"), more=more,
+        place=Point((x, y, z)), count=count, more=more,
     )  # fmt: skip
-    return (report_finding(Code.OUTSIDE_FRAMES, text, lost, 0.0, place=(x, y, z)),)
+    return report_finding(code, sentence, lost, 0.0, place=(x, y, z), within=within * len(place))
 
 
 def _report_frames(frames: Frames) -> Finding:

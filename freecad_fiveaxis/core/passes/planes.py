@@ -12,27 +12,20 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 
-from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, report_finding
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Area, Length, say
+from freecad_fiveaxis.core.base.sentences import Length, say
 
 from .contact_path import direction
 from .field import ALL_ROUND, PassField, PassOptions, Region, Vector
 from .sides import find_untouched_sides, side_findings
 from .spacing import WIDEST, PlacePlanes, prepare_planes
+from .untouched import area_left
 
 SHORTEST = 1e-9
 """Length of a normal whose direction is lost in rounding."""
-
-BESIDE = 3.0
-"""Intervals of a flat: small facets so near to a pass lie between two."""
-
-SHARE = 0.002
-"""Of the area to be cut: what no pass touches is told where it is more."""
 
 
 @dataclass(frozen=True)
@@ -90,45 +83,6 @@ class Planes:
         if options.scallop is not None:
             finer = say("a smaller least interval than {interval}", interval=Length(options.least))
         return side_findings(sides, mesh, keep, field.upright, field.findings, options.least, finer)
-
-
-def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
-    """Return a warning where facets to be cut that no pass touches or comes near are more than a little;
-    ``touched`` (n,) by one."""
-    rows = _without_pass(region, touched)
-    lost, whole = float(region.mesh.area[rows].sum()), float(region.mesh.area[region.keep].sum())
-    if lost <= SHARE * whole:
-        return ()
-    largest = rows[region.mesh.area[rows].argmax()]
-    x, y, z = region.mesh.vertex[region.mesh.face[largest]].mean(axis=0).tolist()
-    text = say(
-        "Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or "
-        "between two of them. Choose other passes, or a smaller stepover or scallop, for those.",
-        count=len(rows),
-        area=Area(lost, ".4g"),
-    )
-    return (report_finding(Code.SIDE_NOT_MACHINED, text, lost, 0.0, place=(x, y, z)),)
-
-
-def _without_pass(region: Region, touched: Ints) -> Ints:
-    """Facets (k,) to be cut that no pass touches: large ones, and small ones unless they lie beside some that
-    are touched."""
-    mesh, out, beside = region.mesh, region.keep.copy(), np.zeros(len(region.mesh.vertex), np.bool_)
-    out[touched] = False
-    rows, there = np.flatnonzero(out), np.unique(touched)
-    if not len(rows) or not len(there):
-        return rows
-    beside[mesh.face[there]] = True
-    off = scipy.spatial.cKDTree(mesh.vertex[mesh.face[there]].mean(axis=1)).query(
-        mesh.vertex[mesh.face[rows]].mean(axis=1)
-    )[0]
-    apart = max(region.interval, 2.0 * (region.covered or 0.0))
-    side = np.linalg.norm(np.diff(mesh.vertex[mesh.face[rows]][:, [0, 1, 2, 0]], axis=1), axis=2).max(axis=1)
-    small = (
-        2.0 * mesh.area[rows] < apart * side
-    )  # narrower than passes are apart: it lies between two of them
-    close = beside[mesh.face[rows]].any(axis=1) | (off < BESIDE * apart)
-    return np.asarray(rows[~(small & close)])
 
 
 def _unit(normal: Vector) -> Floats:

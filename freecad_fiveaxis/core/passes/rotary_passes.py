@@ -23,10 +23,10 @@ from freecad_fiveaxis.core.base.sentences import say
 from .around_axis import facets_outward, report_across
 from .even_steps import count_in_steps
 from .field import PassField, PassOptions, Region
-from .planes import area_left
 from .radial_passes import angle_about, centre_of, divide_at_seam, seam_normal, unit_axis
 from .scallop_passes import OverSurface, copy_region, lay_passes, make_surface, measure_copy, survey_region
 from .sources import BORDER
+from .untouched import area_left
 
 ALONG = "along"
 

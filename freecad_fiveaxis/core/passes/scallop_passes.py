@@ -40,10 +40,10 @@ from .geodesic import (
     side_lengths,
     step_across,
 )
-from .planes import area_left
 from .refine import Copy, drop_short, finer_copy, join_copies, take_facets
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop
 from .sources import find_source, source_values
+from .untouched import area_left
 
 AIM = 0.92
 """Share of the scallop that the passes are laid for: facets and the field's own error leave as much as the

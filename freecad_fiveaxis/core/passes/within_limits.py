@@ -60,6 +60,10 @@ _BEYOND = Template(
     "{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; "
     "turn the part or take another machine to cut them."
 )
+_NO_AXIS = Template(
+    "{count} facets of {area} ({share} % of the part) need a tool axis to which no rotary axis of the "
+    "machine turns and are left out; turn the part or take another machine to cut them."
+)
 
 
 def facets_within_limits(
@@ -240,18 +244,26 @@ def report_beyond(mesh: Mesh, area: Floats, out: Bools, kinematics: Chain | None
     """Say how much area the facets ``out`` (f,) have that need rotary words beyond the limits."""
     if kinematics is None:
         return None
-    return _report_left_out(Code.FACETS_BEYOND_MACHINE, _BEYOND, mesh, area, out, limits=_limits(kinematics))
+    limits = _limits(kinematics)
+    if limits is None:
+        return _report_left_out(Code.FACETS_BEYOND_MACHINE, _NO_AXIS, mesh, area, out)
+    return _report_left_out(Code.FACETS_BEYOND_MACHINE, _BEYOND, mesh, area, out, limits=limits)
 
 
-def _limits(kinematics: Chain) -> Sentence:
+def _limits(kinematics: Chain) -> Sentence | None:
+    """Name the rotary axes that have limits, with these; None where none has: one that turns all the way
+    keeps the tool off nowhere."""
     spans = np.degrees([kinematics.low[3:], kinematics.high[3:]]).T.tolist()
     one, other = (
         say("{letter} ({low} to {high})", letter=letter, low=Angle(low, bare=True), high=Angle(high))
         for letter, (low, high) in zip(kinematics.letters[3:], spans, strict=True)
     )
+    first, second = (kinematics.high[3:] - kinematics.low[3:] < TURN).tolist()
     if not kinematics.axes[4].fitted:
-        return one
-    return say("{one} or {other}", one=one, other=other)
+        return one if first else None
+    if first and second:
+        return say("{one} or {other}", one=one, other=other)
+    return one if first else other if second else None
 
 
 def _report_left_out(

@@ -8,8 +8,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.base.records import Floats, Ints, take_rows
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -36,6 +38,7 @@ from freecad_fiveaxis.core.toolpath.feasible import feasible_rows
 
 from .blockers import list_blockers
 from .context import MillContext
+from .mill_context import find_region
 from .options import axis_corrections, axis_options, reacher_in, tip_to_surface, tool_body
 from .records import AssignedAxes, OffsetContacts
 
@@ -60,8 +63,21 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
     offset, axis = feasible_rows(
         offset, axis, context.kinematics, cutter.taper, cutter.undercut if wanted else 0.0
     )
+    offset = replace(offset, findings=measure_stretches(context, offset.findings))
     whole = vars(passes) | {"offset": offset}
     return AssignedAxes(**whole, axis=axis, cut=offset, corrected=axis, axis_findings=found)
+
+
+def measure_stretches(context: MillContext, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+    """Add to findings on stretches beyond the machine's limits the area beside them: their length times the
+    passes' distance on a flat."""
+    if not any(one.code == Code.AXIS_BEYOND_LIMITS for one in findings):
+        return findings
+    interval = find_region(context.settings, context.mesh, context.keep, silent).interval
+    return tuple(
+        replace(one, within=(one.value or 0.0) * interval) if one.code == Code.AXIS_BEYOND_LIMITS else one
+        for one in findings
+    )
 
 
 def free_rows(

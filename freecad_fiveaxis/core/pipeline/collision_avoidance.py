@@ -65,6 +65,11 @@ SAMPLES = 10_000
 triangles."""
 
 
+STRETCHES = frozenset({
+    Code.AXIS_BEYOND_LIMITS, Code.AXIS_INTO_PART, Code.FLANK_INTO_PART, Code.NO_FREE_AXIS, Code.NO_WAY_OUT,
+})  # fmt: skip
+"""The codes of findings on stretches of passes that are left out for the tool axis."""
+
 JUDGED = frozenset({Code.SURFACE_TIGHTER_THAN_CUTTER, Code.HEEL_IN_HOLLOW})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
@@ -102,6 +107,11 @@ def find_uncut(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
         mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within
     )
     return report_uncut(rest, above) + report_blocked(rest, context, above)
+
+
+def leaves_out(findings: Sequence[Finding]) -> bool:
+    """Tell whether places on facets that are cut were left out, of which only a map tells how much stays."""
+    return any(one.within is not None or (one.code in STRETCHES and one.value) for one in findings)
 
 
 def compute_allowed_rest(settings: Settings, mesh: Mesh, keep: Bools) -> float:
@@ -209,18 +219,45 @@ def still_true(
 def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """Return the share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away
     from the spindle is not counted. ``keep`` (f,): the facets that are cut."""
-    out = area_of(findings, *NOT_CUT)
+    out = _area_not_cut(findings, *NOT_CUT)
     whole = float(mesh.area[keep].sum()) + out
     return (out + rest_area(findings)) / whole
 
 
-def divide_unfinished(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> Unfinished:
+def divide_unfinished(
+    findings: tuple[Finding, ...], mesh: Mesh, keep: Bools, mapped: bool = False
+) -> Unfinished:
     """Return the share of :func:`compute_unfinished_share` with its parts: what findings say is out of reach,
-    and what the settings leave."""
-    whole = float(mesh.area[keep].sum()) + area_of(findings, *NOT_CUT)
-    beyond = {code: area_of(findings, code) / whole for code in WHY}
+    and what the settings leave. ``mapped``: whether all that stays is known from a map."""
+    whole = float(mesh.area[keep].sum()) + _area_not_cut(findings, *NOT_CUT)
+    beyond = {code: _area_not_cut(findings, code) / whole for code in WHY}
+    for code, area in _divide_uncut(findings).items():
+        beyond[code] += area / whole
     share = compute_unfinished_share(findings, mesh, keep)
-    return Unfinished(share, beyond, area_of(findings, *BY_SETTINGS) / whole)
+    codes = {one.code for one in findings}
+    at_least = Code.CORNER_NOT_REACHED in codes and Code.UNCUT not in codes and not mapped
+    return Unfinished(share, beyond, area_of(findings, *BY_SETTINGS) / whole, at_least)
+
+
+def _area_not_cut(findings: Sequence[Finding], *codes: str) -> float:
+    """Return the area, mm2, that findings of these codes name, but for what lies on facets that are cut."""
+    return area_of(findings, *codes) - sum(
+        one.within or 0.0 for one in findings if one.code in codes and one.unit == "mm2"
+    )
+
+
+def _divide_uncut(findings: Sequence[Finding]) -> dict[Code, float]:
+    """Return how much, mm2, of what stays on facets that are cut is out of reach of other causes than those
+    that are known of it by itself, by the code of WHY; no more in all than stays besides those."""
+    known = (
+        Code.UNCUT_TOO_TIGHT, Code.UNCUT_AT_TABLE, Code.UNCUT_AT_FIXTURE, Code.SIDE_NOT_MACHINED
+    )  # fmt: skip
+    room, found = area_of(findings, Code.UNCUT) - area_of(findings, *known), dict[Code, float]()
+    for code in WHY:
+        within = sum(one.within or 0.0 for one in findings if one.code == code)
+        found[code] = min(within, max(room, 0.0))
+        room -= found[code]
+    return found
 
 
 def compute_finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
@@ -258,11 +295,15 @@ def find_rest_of_program(context: MillContext, program: Program) -> RestMaterial
     )
 
 
-def rest_material_findings(rest: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:
-    """Where more stays than may, and, where no check tells it, where too much is taken off."""
+def rest_material_findings(
+    rest: RestMaterial | None, context: MillContext, earlier: Sequence[Finding] = ()
+) -> tuple[Finding, ...]:
+    """Where more stays than may, and, where no check tells it, where too much is taken off. ``earlier``
+    findings tell what no pass touches."""
     if rest is None:
         return ()
     settings = context.settings
     deep = too_deep_finding(rest, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
     above = compute_allowed_rest(settings, context.mesh, context.keep)
-    return report_uncut(rest, above) + report_blocked(rest, context, above) + deep
+    untouched = area_of(earlier, Code.SIDE_NOT_MACHINED)
+    return report_uncut(rest, above, untouched) + report_blocked(rest, context, above) + deep

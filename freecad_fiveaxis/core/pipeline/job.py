@@ -347,7 +347,8 @@ def _against_part(
         if draft.settings.gouge.rest == "on" and len(cutting(program.motion))
         else None
     )
-    return gouge, rest, (gouge.findings if gouge else ()) + low + rest_material_findings(rest, context)
+    left = rest_material_findings(rest, context, draft.findings)
+    return gouge, rest, (gouge.findings if gouge else ()) + low + left
 
 
 def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]:
@@ -404,7 +405,9 @@ def figures(result: Result) -> Figures:
         mesh=draft.mesh if isinstance(draft, MilledProgram) else None,
         unfinished=compute_unfinished_share(result.findings, draft.mesh, draft.keep)
         if isinstance(draft, MilledProgram) else 0.0,
-        unfinished_parts=divide_unfinished(result.findings, draft.mesh, draft.keep)
+        unfinished_parts=divide_unfinished(
+            result.findings, draft.mesh, draft.keep, result.rest is not None
+        )
         if isinstance(draft, MilledProgram) else None,
         contacts=contacts, stand=_stand(draft, contacts) if isinstance(draft, MilledProgram) else 0.0,
         rapids=rapids_of(draft.settings, draft.machine, draft.dialect),

@@ -22,6 +22,7 @@ NOTABLE_SHARE = 0.005
 
 WHY: Mapping[Code, Sentence] = {
     Code.FACETS_BEYOND_MACHINE: say("beyond the machine's limits"),
+    Code.AXIS_BEYOND_LIMITS: say("beyond the machine's limits"),
     Code.FACETS_WITHOUT_FREE_AXIS: say("no free axis"),
     Code.UNCUT_TOO_TIGHT: say("tighter than the cutter"),
     Code.UNCUT_AT_TABLE: say("the table is in the way"),
@@ -36,11 +37,13 @@ BY_SETTINGS = (Code.FACETS_BEYOND_AXIS_ANGLE, Code.FACETS_NEAR_AVOIDED, Code.NEA
 @dataclass(frozen=True)
 class Unfinished:
     """Shares, 0 to 1, of the surface asked for: ``whole`` that stays unfinished; of it ``beyond`` what is out
-    of reach, by the code of WHY, and ``set_aside`` what the settings leave."""
+    of reach, by the code of WHY, and ``set_aside`` what the settings leave. ``at_least``: more may stay, for
+    of what passes leave in corners it is not known how much that is."""
 
     whole: float
     beyond: Mapping[Code, float]
     set_aside: float
+    at_least: bool = False
 
     @property
     def out_of_reach(self) -> float:
@@ -64,10 +67,14 @@ class Unfinished:
 def name_unfinished(share: float, parts: Unfinished | None) -> Sentence:
     """Say which ``share`` stays unfinished, and where some of it is out of reach how much of it that is, and
     why."""
-    text = say("{share} % of the surface to be milled stays unfinished", share=Number(100.0 * share, ".2g"))
+    given = _percent(share)
+    text = say("{share} % of the surface to be milled stays unfinished", share=given)
+    if parts is not None and parts.at_least:
+        text = say("at least {share} % of the surface to be milled stays unfinished", share=given)
     if parts is None or parts.out_of_reach < NOTABLE_SHARE:
         return text
-    why = join_sentences([WHY[code] for code, one in parts.beyond.items() if one > 0.0], ", ")
+    reasons = {str(WHY[code]): WHY[code] for code, one in parts.beyond.items() if one > 0.0}
+    why = join_sentences(list(reasons.values()), ", ")
     if parts.missed + parts.set_aside < NOTABLE_SHARE:
         return text + say(": the tool cannot reach it ({why})", why=why)
     beyond = say("{share} % the tool cannot reach ({why})", share=_percent(parts.out_of_reach), why=why)

@@ -11,7 +11,7 @@ green   the tolerance is proven for every feed block, and the tool was seen to s
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
@@ -253,6 +253,8 @@ WARNED: Mapping[str, Template] = {
 
 def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
     worst = found[0]
+    if worst.unit == "mm2":  # as for several reasons of one code
+        worst = replace(worst, value=sum(one.value or 0.0 for one in found))
     if code == Code.SIDE_NOT_MACHINED:
         area = Area(sum(one.value or 0.0 for one in found), ".4g")
         return plural(

@@ -198,7 +198,11 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
             "there.",
             much=much,
         )
-        found.append(report_finding(Code.CORNER_NOT_REACHED, text, place=_place(contact, high.segment)))
+        within = (
+            None if np.isfinite(high.worst) else 0.0
+        )  # whole stretches, of an area that is not known here
+        place = _place(contact, high.segment)
+        found.append(report_finding(Code.CORNER_NOT_REACHED, text, place=place, within=within))
     return tuple(found)
 
 
