@@ -55,7 +55,7 @@ ENOUGH = 0.9
 AREAS = {
     Obstacle.NONE: "ReachableArea", Obstacle.CUTTER: "TighterThanCutter", Obstacle.SHANK: "ShankInTheWay",
     Obstacle.HOLDER: "HolderInTheWay", Obstacle.MACHINE: "MachineInTheWay", Obstacle.TABLE: "BelowTable",
-    Obstacle.LIMITS: "BeyondMachine",
+    Obstacle.LIMITS: "BeyondMachine", Obstacle.HOLLOW: "InClosedHollow",
 }  # fmt: skip
 """The property that holds the area of each reason, in the order of the legend."""
 WORTH = 3

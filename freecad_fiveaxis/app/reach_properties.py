@@ -83,6 +83,12 @@ PROPERTIES = (
         0.0, RESULT,
     ),
     Property(
+        "InClosedHollow", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Surface in hollows of the part that are closed all round: no tool "
+            "gets in"),
+        0.0, RESULT,
+    ),
+    Property(
         "StickOut", "App::PropertyLength", "Result",
         QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where holder or "
             "machine are in the way"),

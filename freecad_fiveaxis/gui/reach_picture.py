@@ -31,6 +31,7 @@ def reason_text(obstacle: Obstacle) -> str:
         Obstacle.MACHINE: translate("FiveAxis", "machine in the way"),
         Obstacle.TABLE: translate("FiveAxis", "below the table"),
         Obstacle.LIMITS: translate("FiveAxis", "beyond the machine's limits"),
+        Obstacle.HOLLOW: translate("FiveAxis", "in a closed hollow"),
     }[obstacle]
 
 

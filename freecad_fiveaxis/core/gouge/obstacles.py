@@ -43,15 +43,17 @@ ROWS = 64
 
 
 class Obstacle(IntEnum):
-    """Why the tool does not get to a place, in the order in which axes are asked; the last is no obstacle."""
+    """Why the tool does not get to a place, in the order in which axes are asked; in a closed hollow none is,
+    and the last is no obstacle."""
 
-    LIMITS = 0
-    TABLE = 1
-    CUTTER = 2
-    SHANK = 3
-    HOLDER = 4
-    MACHINE = 5
-    NONE = 6
+    HOLLOW = 0
+    LIMITS = 1
+    TABLE = 2
+    CUTTER = 3
+    SHANK = 4
+    HOLDER = 5
+    MACHINE = 6
+    NONE = 7
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,8 @@ place     the surface is divided into triangles no larger than a spacing; each s
           ever farther from it.
 obstacle  what ends the tries: the one that the luckiest axis met. An axis first has to be within the
           machine's limits, the tool then above the table, then cutter, shank and holder out of the part, then
-          bodies of the machine out of the way.
+          bodies of the machine out of the way. What looks into a closed hollow is not tried: the tool may
+          stand freely in there, but never gets in.
 
 It is as fine as its places and axes: what it calls reachable is (that axis was tried), what it does not may
 still be, under an axis between those tried.
@@ -29,6 +30,7 @@ from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, join_obstacles
+from freecad_fiveaxis.core.gouge.hollows import find_hollow_facets
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, enters, obstacles, stick_out_farther
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
@@ -109,7 +111,8 @@ def reach_map(
         some, joined = keep_off.allows(mesh, point, facet), keep_off.obstacle(joined)
         point, facet, area = point[some], facet[some], area[some]
     ground, normal, tilts = Ground(reacher, joined), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
-    parts = list(_split_places(point, normal, BATCH if executor else len(point)))
+    open_ = np.flatnonzero(~find_hollow_facets(mesh)[facet])
+    parts = list(_split_places(point[open_], normal[open_], BATCH if executor else len(open_)))
     tried = spread(
         _try_all,
         ground,
@@ -119,7 +122,7 @@ def reach_map(
         "reach",
         [len(one) for one in parts],
     )
-    obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))
+    obstacle, tilt, axis = _fill_in(open_, len(point), *map(np.concatenate, zip(*tried, strict=True)))
     held = np.flatnonzero((obstacle == Obstacle.HOLDER) | (obstacle == Obstacle.MACHINE))
     rows = held[:: max(1, len(held) // TRIED)]
     parts = list(_split_places(point[rows], normal[rows], FEW if executor else len(rows)))
@@ -127,6 +130,16 @@ def reach_map(
     steps = spread(_try_longer, ground, parts, executor, scaled, "reach", [len(one) for one in parts])
     longer = tuple(_estimate_reach(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
     return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
+
+
+def _fill_in(open_: Ints, count: int, *met: Floats | Ints) -> Met:
+    """Give what was met at the ``open_`` places (k,) to all of ``count`` places; the others are in a closed
+    hollow."""
+    obstacle, tilt = np.full(count, int(Obstacle.HOLLOW)), np.full(count, np.nan)
+    axis = np.full((count, 3), np.nan)
+    for column, found in zip((obstacle, tilt, axis), met, strict=True):
+        column[open_] = found
+    return obstacle, tilt, axis
 
 
 def _scale_progress(progress: Progress, first: float, last: float) -> Progress:

@@ -24,6 +24,7 @@ VERSION = 1
 KEYS = {
     Obstacle.CUTTER: "tighter_than_cutter", Obstacle.LIMITS: "beyond_machine", Obstacle.TABLE: "below_table",
     Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder", Obstacle.MACHINE: "machine",
+    Obstacle.HOLLOW: "closed_hollow",
 }  # fmt: skip
 
 WORTH = 1.01
@@ -43,7 +44,7 @@ def reason(obstacle: Obstacle) -> Sentence:
         Obstacle.LIMITS: say("beyond the machine's limits"), Obstacle.TABLE: say("below the table"),
         Obstacle.CUTTER: say("tighter than the cutter"), Obstacle.SHANK: say("shank in the way"),
         Obstacle.HOLDER: say("holder in the way"), Obstacle.MACHINE: say("machine in the way"),
-        Obstacle.NONE: say("reachable"),
+        Obstacle.HOLLOW: say("in a closed hollow, where no tool gets in"), Obstacle.NONE: say("reachable"),
     }[obstacle]  # fmt: skip
 
 
