@@ -26,6 +26,7 @@ def reason_text(obstacle: Obstacle) -> str:
     return {
         Obstacle.NONE: translate("FiveAxis", "reached"),
         Obstacle.CUTTER: translate("FiveAxis", "cutter too large"),
+        Obstacle.FLANK: translate("FiveAxis", "cutter's flank in the way"),
         Obstacle.SHANK: translate("FiveAxis", "shank in the way"),
         Obstacle.HOLDER: translate("FiveAxis", "holder in the way"),
         Obstacle.MACHINE: translate("FiveAxis", "machine in the way"),

@@ -7,8 +7,11 @@ place     the surface is divided into triangles no larger than a spacing; each s
           ever farther from it.
 obstacle  what ends the tries: the one that the luckiest axis met. An axis first has to be within the
           machine's limits, the tool then above the table, then cutter, shank and holder out of the part, then
-          bodies of the machine out of the way. What looks into a closed hollow is not tried: the tool may
-          stand freely in there, but never gets in.
+          bodies of the machine out of the way. Of the cutter its end is asked first: where that enters, the
+          place is tighter than the cutter; where only what is above it does, the flank is in the way. What
+          looks into a closed hollow is not tried: the tool may stand freely in there, but never gets in.
+end       of a ball, or of a cutter that ends in one, that ball; of others as much from the bottom up as they
+          are wide.
 
 It is as fine as its places and axes: what it calls reachable is (that axis was tried), what it does not may
 still be, under an axis between those tried.
@@ -19,7 +22,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -31,11 +34,18 @@ from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, join_obstacles
 from freecad_fiveaxis.core.gouge.hollows import find_hollow_facets
-from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, enters, obstacles, stick_out_farther
+from freecad_fiveaxis.core.gouge.obstacles import (
+    Obstacle,
+    Reacher,
+    enters,
+    obstacles,
+    stick_out_farther,
+    tip_at,
+)
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
-from freecad_fiveaxis.core.tool.body import Body, round_piece
+from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of, round_piece
 from freecad_fiveaxis.core.tool.stick_out import LONGER_BY
 
 TILTS = tuple(math.radians(tilt) for tilt in (0.0, 10.0, 20.0, 30.0, 45.0, 60.0, 80.0))
@@ -246,13 +256,30 @@ def _try(
     turned = choose_trial_axes(normal[open_], angle, reacher.cutter.ring)
     ways = turned.shape[1]
     place, turned = np.repeat(open_, ways), turned.reshape(-1, 3)
-    met = obstacles(reacher, tree, point[place], normal[place], turned).reshape(-1, ways)
+    met = obstacles(reacher, tree, point[place], normal[place], turned)
+    most = np.maximum(obstacle[open_], met.reshape(-1, ways).max(axis=1, initial=0))
+    rows = np.flatnonzero((met == Obstacle.CUTTER) & np.repeat(most == Obstacle.CUTTER, ways))
+    only = _only_flank_enters(reacher, tree, point[place[rows]], normal[place[rows]], turned[rows])
+    met[rows[only]] = Obstacle.FLANK
+    met = met.reshape(-1, ways)
     best = met.argmax(axis=1)
     farthest = met.max(axis=1, initial=0)
     obstacle[open_] = np.maximum(obstacle[open_], farthest)
     free = farthest == Obstacle.NONE
     tilt[open_[free]] = angle
     axis[open_[free]] = turned.reshape(-1, ways, 3)[np.flatnonzero(free), best[free]]
+
+
+def _only_flank_enters(
+    reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, axis: Floats
+) -> Bools:
+    """Whether (n,) the end of a cutter that enters does not. The ball at an end has been asked before any
+    axis was; a lollipop's cutter is nothing but its end."""
+    cutter = reacher.cutter
+    if cutter.ring == 0.0:
+        return np.full(len(point), cutter.neck is None)
+    end = body_of(replace(cutter, length=min(cutter.length, cutter.diameter))).only(CUTTER)
+    return ~enters(end, tree, tip_at(cutter, point, normal, axis), axis, reacher.limit)
 
 
 def choose_trial_axes(normal: Floats, angle: float, ring: float) -> Floats:

@@ -18,17 +18,20 @@ from freecad_fiveaxis.core.report.text import WIDTH, number
 from .reach_map import TILTS, ReachMap
 from .setup_map.sheet import Table, findings_list, findings_text, json_text, page, section, table, text_table
 
-VERSION = 1
+VERSION = 2
 """Of the JSON record: raised when a key changes its meaning."""
 
 KEYS = {
     Obstacle.CUTTER: "tighter_than_cutter", Obstacle.LIMITS: "beyond_machine", Obstacle.TABLE: "below_table",
     Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder", Obstacle.MACHINE: "machine",
-    Obstacle.HOLLOW: "closed_hollow",
+    Obstacle.FLANK: "cutter_flank", Obstacle.HOLLOW: "closed_hollow",
 }  # fmt: skip
 
 WORTH = 1.01
 """Times what the step before reached: a longer step that adds less is not worth a line."""
+
+LEAST = 1e-3
+"""Of the whole area: where less is in the way of the cutter itself, what helps is not worth a line."""
 
 NOTE = (
     "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called "
@@ -44,6 +47,7 @@ def reason(obstacle: Obstacle) -> Sentence:
         Obstacle.LIMITS: say("beyond the machine's limits"), Obstacle.TABLE: say("below the table"),
         Obstacle.CUTTER: say("tighter than the cutter"), Obstacle.SHANK: say("shank in the way"),
         Obstacle.HOLDER: say("holder in the way"), Obstacle.MACHINE: say("machine in the way"),
+        Obstacle.FLANK: say("cutter's flank in the way"),
         Obstacle.HOLLOW: say("in a closed hollow, where no tool gets in"), Obstacle.NONE: say("reachable"),
     }[obstacle]  # fmt: skip
 
@@ -80,6 +84,29 @@ def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
     return texts
 
 
+def remedies(found: ReachMap) -> tuple[Sentence, ...]:
+    """Return what helps where the cutter itself is in the way: its end, or its flank, where that is worth a
+    line."""
+    end, flank = (found.area_of(one) for one in (Obstacle.CUTTER, Obstacle.FLANK))
+    least, texts = LEAST * float(found.area.sum()), tuple[Sentence, ...]()
+    if end > least:
+        text = say(
+            "Tighter than the cutter ({area}): its end does not fit there; use a smaller radius.",
+            area=Area(end, ".4g"),
+        )
+        texts = (*texts, text)
+    return (*texts, flank_remedy(flank)) if flank > least else texts
+
+
+def flank_remedy(area: float) -> Sentence:
+    """Return what helps where the cutter's end fits, and what is above it does not; ``area`` mm2."""
+    return say(
+        "Cutter's flank in the way ({area}): its end fits, what is above it does not, as under an overhang; "
+        "a smaller radius need not help, a lollipop or another setup may.",
+        area=Area(area, ".4g"),
+    )
+
+
 def _table(found: ReachMap) -> Table:
     whole = float(found.area.sum())
     rows = [(f"reachable, tilted {low:.0f} to {high:.0f} deg" if high else "reachable along the normal", area)
@@ -101,7 +128,7 @@ def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
 
 def reach_text(found: ReachMap, findings: Sequence[Finding] = ()) -> str:
     """For the terminal."""
-    paragraphs = [verdict(found), "", *text_table(_table(found)), "", *stick_out(found)]
+    paragraphs = [verdict(found), "", *text_table(_table(found)), "", *remedies(found), *stick_out(found)]
     lines = [part for line in paragraphs for part in textwrap.wrap(line, WIDTH) or [""]]
     return "\n".join([*lines, *findings_text(findings), *textwrap.wrap(NOTE, WIDTH)]) + "\n"
 
@@ -123,7 +150,7 @@ def reach_json(
 
 def reach_html(found: ReachMap, title: str = "", findings: Sequence[Finding] = ()) -> str:
     """Return a page that needs nothing else."""
-    longer = "".join(f"<p>{escape(line)}</p>" for line in stick_out(found))
+    longer = "".join(f"<p>{escape(line)}</p>" for line in (*remedies(found), *stick_out(found)))
     body = [
         section("The surface", table(_table(found)) + longer + f'<p class="note">{escape(NOTE)}</p>'),
         section("Findings", findings_list(findings)),
