@@ -35,7 +35,7 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.pipeline.settings import REACH, build_settings
 from freecad_fiveaxis.core.studies import study
 from freecad_fiveaxis.core.studies.reach_map import ReachMap as Chart
-from freecad_fiveaxis.core.studies.reach_report import flank_remedy, share_reached, verdict
+from freecad_fiveaxis.core.studies.reach_report import flank_remedy, name_shut, share_reached, verdict
 from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 
 from . import compared, convert, results, selection, tessellation, wording
@@ -306,7 +306,7 @@ def radius_too_large(found: Last) -> float:
 
 def advice(found: Last) -> list[Sentence]:
     """Return what would help where the holder is in the way, and where the cutter is too large or its
-    flank in the way: a sentence each."""
+    flank in the way, and what of that the tool does not get away from: a sentence each."""
     chart = found.chart
     held, (step, area) = compute_held_area(chart), stick_out(chart)
     by_machine = chart.area_of(Obstacle.MACHINE) > 0.0
@@ -343,7 +343,7 @@ def advice(found: Last) -> list[Sentence]:
         )
     if flank := chart.area_of(Obstacle.FLANK):
         sentences.append(flank_remedy(flank))
-    return sentences
+    return [*sentences, *name_shut(chart)]
 
 
 def _show(obj: Any, found: Last) -> None:

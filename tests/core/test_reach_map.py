@@ -338,3 +338,51 @@ def test_end_and_flank_in_the_way_have_a_remedy_each_where_there_is_some(coarse)
     narrow = [str(one) for one in reach_report.remedies(reach_map(slot(5.0, 20.0), Reacher(BALL)))]
     assert len(narrow) == 1 and "smaller radius" in narrow[0]
     assert reach_report.remedies(reach_map(block(), Reacher(BALL))) == ()
+
+
+def cavity():
+    """A block with a cavity 40 x 40 mm inside, 160 mm long, open to a slit of 1 mm above, and plates that close
+    its ends."""
+    outline = [(-30, 0), (30, 0), (30, 60), (0.5, 60), (0.5, 50), (20, 50), (20, 10), (-20, 10), (-20, 50)]
+    mesh = profile(np.array([*outline, (-0.5, 50), (-0.5, 60), (-30, 60)]), 160.0)
+    square = np.array([(-30, 0), (30, 0), (30, 60), (-30, 60)], float)
+    plate = [rectangle(*([x, y, z] for x, z in square)) for y in (0.0, 160.0)]
+    return mesh, [Fixture(f"plate {k}", from_triangles(np.array(one, float))) for k, one in enumerate(plate)]
+
+
+def test_where_the_tool_stands_freely_but_cannot_be_drawn_out_is_told_with_its_area(coarse):
+    """It is no closed hollow, for the slit is open, but no ball of 6 mm gets through that."""
+    mesh, plates = cavity()
+    x, _, z = mesh.vertex[mesh.face].mean(axis=1).T
+    within = (np.abs(x) < 20.1) & (z > 9.9) & (z < 50.1)
+    found = reach_map(mesh, Reacher(Cutter(6.0, 15.0)), within, fixtures=plates)
+    assert found.area_of(Obstacle.HOLLOW) == 0.0 and found.area_of(Obstacle.NONE) > 0.8 * found.area.sum()
+    assert found.shut == pytest.approx(found.area_of(Obstacle.NONE))
+    (text,) = reach_report.name_shut(found)
+    assert "cannot be drawn out" in text
+    free = reach_map(block(), Reacher(Cutter(6.0, 15.0)))
+    assert free.shut == 0.0 and reach_report.name_shut(free) == ()
+
+
+def test_every_report_says_that_the_way_there_is_not_asked_and_what_the_part_stands_on(
+    tmp_path, capsys, coarse
+):
+    """A cube of 20 mm: 400 of 2400 mm2 are its underside, which mill leaves out. With faces chosen it does
+    not, and over a table the tool does not get there."""
+    low, high = (0.0, 0.0), (20.0, 20.0)
+    shape, path = profile(np.array([low, (20, 0), high, (0, 20)]), 20.0), tmp_path / "cube.stl"
+    write_stl(shape, path)
+    words = ["reach", str(path), "--machine", "trunnion_ac", "--cutter", "ball:6:30"]
+    reports = [tmp_path / f"reach{ending}" for ending in (".json", ".html")]
+    told = [*words, *(word for one in reports for word in ("--report", str(one)))]
+    assert cli.main(told) == cli.DONE
+    said, page = capsys.readouterr().out, reports[1].read_text()
+    summary = json.loads(reports[0].read_text())["summary"]
+    caveat = str(reach_report.WAYS)
+    assert caveat in said and caveat in page and summary["note"] == caveat
+    flat = " ".join(said.split())
+    assert "400 mm2 are the underside" in flat and "only with --max-axis-angle" in flat
+    assert "are the underside" in page and summary["standing_area"] == pytest.approx(400.0)
+    for more in (["--faces", str(path)], ["--table-height", "0", "--origin", "0,0,0"]):
+        assert cli.main([*told, *more]) == cli.DONE
+        assert "are the underside" not in capsys.readouterr().out, more

@@ -43,6 +43,7 @@ from freecad_fiveaxis.core.gouge.obstacles import (
     tip_at,
 )
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
+from freecad_fiveaxis.core.orientation.axis_field import with_way_out
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of, round_piece
@@ -77,7 +78,7 @@ UPRIGHT = 1e-6
 """rad: no tilt that counts, but it says on which side of a flat bottom the contact lies."""
 
 TRIED = 1000
-"""Places, about, at which a tool that sticks out farther is tried."""
+"""Places, about, at which a tool that sticks out farther is tried; and as many at which its way out is."""
 
 LONGER = (5.0, *LONGER_BY)
 """mm: so much farther the tool is tried to stick out where only holder or machine are in the way."""
@@ -88,7 +89,9 @@ class ReachMap:
     """Of each of k places: ``point`` (k, 3) mm, ``facet`` (k,), ``area`` (k,) mm2; ``obstacle`` (k,) of
     :class:`Obstacle`; ``tilt`` (k,) rad and unit ``axis`` (k, 3) of the first axis that is free, NaN where
     there is none. ``longer``: mm that the tool would have to stick out farther, and mm2 that it reaches then
-    besides; ``spacing`` mm."""
+    besides; ``spacing`` mm. ``shut``: mm2, an estimate, where the tool is free but cannot be drawn out along
+    any axis tried; ``standing``: mm2 it reaches of what the part stands on, where ``mill`` leaves that
+    out."""
 
     point: Floats
     facet: Ints
@@ -98,6 +101,8 @@ class ReachMap:
     axis: Floats
     longer: tuple[tuple[float, float], ...]
     spacing: float
+    shut: float = 0.0
+    standing: float = 0.0
 
     def area_of(self, obstacle: Obstacle) -> float:
         """mm2."""
@@ -139,7 +144,21 @@ def reach_map(
     scaled = _scale_progress(progress, tilts, 1.0)
     steps = spread(_try_longer, ground, parts, executor, scaled, "reach", [len(one) for one in parts])
     longer = tuple(_estimate_reach(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
-    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
+    free = np.flatnonzero(obstacle == Obstacle.NONE)
+    shut = _estimate_shut(ground, Places(point[free], normal[free]), area[free])
+    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing, shut)
+
+
+def _estimate_shut(ground: Ground, places: Places, area: Floats) -> float:
+    """Estimate over which area, mm2, of the free ``places`` with these areas (k,) the tool cannot be drawn
+    out along any axis tried, from about TRIED of them."""
+    rows = np.arange(0, len(places), max(1, len(places) // TRIED))
+    if not len(rows):
+        return 0.0
+    some = Places(places.point[rows], places.normal[rows])
+    drawn = with_way_out(ground.reacher, ground.tree)
+    met, _, _ = _set_on(drawn, ground.tree, some, np.arange(len(rows)), silent)
+    return float(area.sum() * area[rows[met != Obstacle.NONE]].sum() / area[rows].sum())
 
 
 def _fill_in(open_: Ints, count: int, *met: Floats | Ints) -> Met:

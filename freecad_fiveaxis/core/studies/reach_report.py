@@ -11,7 +11,7 @@ from html import escape
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
+from freecad_fiveaxis.core.base.sentences import Area, Length, Option, Sentence, join_sentences, say
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.report.text import WIDTH, number
 
@@ -40,6 +40,8 @@ NOTE = (
     "A part of the tool may enter by the tolerance."
 )
 
+WAYS = say("Reachable is where the tool can stand; whether it gets there and away again is not asked.")
+
 
 def reason(obstacle: Obstacle) -> Sentence:
     """Return what is in the way, in words."""
@@ -58,16 +60,40 @@ def share_reached(found: ReachMap) -> float:
 
 
 def verdict(found: ReachMap) -> Sentence:
-    """One sentence: how much can be reached, and what keeps the tool from most of the rest."""
+    """How much can be reached, and what keeps the tool from most of the rest; what of it ``mill`` leaves
+    out."""
     whole, reached = float(found.area.sum()), found.area_of(Obstacle.NONE)
     if reached >= whole * (1.0 - 1e-9):
-        return say("The tool gets everywhere: {area}.", area=Area(whole, ".5g"))
-    worst = max(KEYS, key=found.area_of)
+        text = say("The tool gets everywhere: {area}.", area=Area(whole, ".5g"))
+    else:
+        worst = max(KEYS, key=found.area_of)
+        text = say(
+            "The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.",
+            share=f"{100.0 * reached / whole:.1f}", reached=Area(reached, ".5g"), area=Area(whole, ".5g"),
+            reason=reason(worst),
+        )  # fmt: skip
+    return join_sentences((text, _name_standing(found.standing))) if found.standing > 0.0 else text
+
+
+def _name_standing(area: float) -> Sentence:
     return say(
-        "The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.",
-        share=f"{100.0 * reached / whole:.1f}", reached=Area(reached, ".5g"), area=Area(whole, ".5g"),
-        reason=reason(worst),
-    )  # fmt: skip
+        "Of what is reachable, {area} are the underside on which the part stands: mill cuts it only with "
+        "{max_axis_angle}.",
+        area=Area(area, ".5g"),
+        max_axis_angle=Option("max_axis_angle"),
+    )
+
+
+def name_shut(found: ReachMap) -> tuple[Sentence, ...]:
+    """Say on how much of what is reached the tool has no way out, where that is worth a line."""
+    if found.shut <= LEAST * float(found.area.sum()):
+        return ()
+    text = say(
+        "On about {area} of what is reachable the tool cannot be drawn out along any axis tried: mill leaves "
+        "out passes that lead nowhere else.",
+        area=Area(found.shut, ".3g"),
+    )
+    return (text,)
 
 
 def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
@@ -107,6 +133,11 @@ def flank_remedy(area: float) -> Sentence:
     )
 
 
+def _helps(found: ReachMap) -> tuple[Sentence, ...]:
+    """Return what is said below the table."""
+    return (*remedies(found), *stick_out(found), *name_shut(found), WAYS)
+
+
 def _table(found: ReachMap) -> Table:
     whole = float(found.area.sum())
     rows = [(f"reachable, tilted {low:.0f} to {high:.0f} deg" if high else "reachable along the normal", area)
@@ -128,7 +159,7 @@ def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
 
 def reach_text(found: ReachMap, findings: Sequence[Finding] = ()) -> str:
     """For the terminal."""
-    paragraphs = [verdict(found), "", *text_table(_table(found)), "", *remedies(found), *stick_out(found)]
+    paragraphs = [verdict(found), "", *text_table(_table(found)), "", *_helps(found)]
     lines = [part for line in paragraphs for part in textwrap.wrap(line, WIDTH) or [""]]
     return "\n".join([*lines, *findings_text(findings), *textwrap.wrap(NOTE, WIDTH)]) + "\n"
 
@@ -143,6 +174,7 @@ def reach_json(
         "by_reason": {key: found.area_of(obstacle) for obstacle, key in KEYS.items()},
         "by_tilt": [{"above": low, "up_to": high, "area": area} for low, high, area in _tilts(found)],
         "stick_out": [{"longer": step, "area": area} for step, area in found.longer],
+        "standing_area": found.standing, "no_way_out_area": found.shut, "note": str(WAYS),
         "places": len(found.area), "spacing": found.spacing,
     }  # fmt: skip
     return json_text({"version": VERSION, "summary": summary, "findings": findings, "inputs": inputs or {}})
@@ -150,7 +182,7 @@ def reach_json(
 
 def reach_html(found: ReachMap, title: str = "", findings: Sequence[Finding] = ()) -> str:
     """Return a page that needs nothing else."""
-    longer = "".join(f"<p>{escape(line)}</p>" for line in (*remedies(found), *stick_out(found)))
+    longer = "".join(f"<p>{escape(line)}</p>" for line in _helps(found))
     body = [
         section("The surface", table(_table(found)) + longer + f'<p class="note">{escape(NOTE)}</p>'),
         section("Findings", findings_list(findings)),
