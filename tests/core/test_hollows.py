@@ -2,6 +2,7 @@
 """Closed hollows of a part: found by their shells, and never called reachable. Areas in closed form."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge.hollows import find_hollow_facets
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
+from freecad_fiveaxis.core.orientation.no_way_out import report_no_way_out
 from freecad_fiveaxis.core.studies.reach_map import reach_map
 from freecad_fiveaxis.core.tool import Cutter
 
@@ -84,3 +86,20 @@ def test_every_report_names_the_hollow(tmp_path, capsys):
     assert summary["by_reason"]["closed_hollow"] == pytest.approx(3600.0)
     assert summary["reachable_area"] <= 14800.0 + 1e-6
     assert summary["reachable_area"] + sum(summary["by_reason"].values()) == pytest.approx(summary["area"])
+
+
+def test_passes_without_a_way_out_are_told_apart_and_name_a_holder_only_where_there_is_one():
+    """Ten rows 1 mm apart on facet 0, which is outside, and five on one of the void; the first two stay."""
+    mesh = from_triangles(with_void())
+    face = np.repeat([0, int(np.flatnonzero(find_hollow_facets(mesh))[0])], [10, 5])
+    point = np.arange(15.0)[:, None] * [1.0, 0.0, 0.0]
+    path = SimpleNamespace(point=point, polyline=(face > 0).astype(int), face=face)
+    rows = np.array([0, 1])
+    bare, held = Reacher(BALL), Reacher(BALL, holder=((30.0, 30.0),))
+    hollow, other = report_no_way_out(path, rows, mesh, bare)
+    assert (hollow.value, other.value) == (4.0, 8.0) and hollow.code == other.code == "no-way-out"
+    assert "closed hollow" in hollow.text and "holder" not in hollow.text
+    assert "get out along its axis" in other.text and "holder" not in other.text
+    assert "smaller holder" in report_no_way_out(path, rows, mesh, held)[1].text
+    assert len(report_no_way_out(path, np.arange(10), mesh, held)) == 1
+    assert report_no_way_out(path, np.arange(15), mesh, held) == ()
