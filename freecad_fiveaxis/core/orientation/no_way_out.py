@@ -46,5 +46,5 @@ def _report(path: OffsetPath, out: Bools, text: Template) -> tuple[Finding, ...]
     if not length:
         return ()
     x, y, z = path.point[int(out.argmax())].tolist()
-    said = text.say(length=Length(length, ".4g"), place=Point((x, y, z)))
-    return (report_finding(Code.NO_WAY_OUT, said, length, 0.0, place=(x, y, z)),)
+    sentence = text.say(length=Length(length, ".4g"), place=Point((x, y, z)))
+    return (report_finding(Code.NO_WAY_OUT, sentence, length, 0.0, place=(x, y, z)),)
