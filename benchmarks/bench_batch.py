@@ -55,10 +55,10 @@ def spent() -> tuple[int, float]:
 
 def of_workers(pool: Executor | None, workers: int) -> dict[int, float]:
     """s of a processor that each worker has taken, all of which have begun."""
-    told = dict[int, float]()
-    while pool is not None and len(told) < workers:
-        told |= dict(future.result() for future in [pool.submit(spent) for _ in range(20)])
-    return told
+    reported = dict[int, float]()
+    while pool is not None and len(reported) < workers:
+        reported |= dict(future.result() for future in [pool.submit(spent) for _ in range(20)])
+    return reported
 
 
 def timed(jobs: Sequence[BatchJob], pool: Executor | None, workers: int) -> tuple[float, float]:
@@ -69,10 +69,10 @@ def timed(jobs: Sequence[BatchJob], pool: Executor | None, workers: int) -> tupl
 
     from freecad_fiveaxis.core.batch.run import run_batch
 
-    asked = None if pool is None else Instead(pool, work_with_blank_pages)
+    wanted = None if pool is None else Instead(pool, work_with_blank_pages)
     before, mine, start = of_workers(pool, workers), time.process_time(), time.perf_counter()
     with blank_pages() if pool is None else nullcontext():
-        if any(outcome.error for outcome in run_batch(jobs, asked)):
+        if any(outcome.error for outcome in run_batch(jobs, wanted)):
             sys.exit("a job failed")
     wall, own, after = time.perf_counter() - start, time.process_time() - mine, of_workers(pool, workers)
     return wall, own + sum(after[worker] - before[worker] for worker in before)
@@ -93,10 +93,10 @@ def jobs_in(folder: str, out: str) -> list[list[BatchJob]]:
     """Return the same jobs for each way, each into a folder of its own."""
     from freecad_fiveaxis.core.batch import plan
 
-    made = [os.path.join(out, str(way)) for way in range(len(WAYS))]
-    for path in made:
+    result = [os.path.join(out, str(way)) for way in range(len(WAYS))]
+    for path in result:
         os.makedirs(path)
-    return [plan.read_jobs(folder, WAY, path) for path in made]
+    return [plan.read_jobs(folder, WAY, path) for path in result]
 
 
 def main(count: int = 64) -> float:
@@ -108,11 +108,11 @@ def main(count: int = 64) -> float:
         for number in range(count):
             write_roof(Path(folder) / f"part{number:03}.stl", 16.0 + number / 50)
         jobs = jobs_in(folder, os.path.join(out, "made"))
-        with pools(jobs_in(folder, os.path.join(out, "warm"))) as made:
+        with pools(jobs_in(folder, os.path.join(out, "warm"))) as result:
             turns = [
                 [
                     timed(own[at : at + TURN], pool, way)
-                    for way, (own, pool) in enumerate(zip(jobs, made, strict=True))
+                    for way, (own, pool) in enumerate(zip(jobs, result, strict=True))
                 ]
                 for at in range(0, count, TURN)
             ]

@@ -58,10 +58,10 @@ def area_samples(mesh: Mesh, count: int) -> tuple[Floats, Floats, float]:
     )
 
 
-def swept_centres(made: job.ProgramDraft) -> Floats:
+def swept_centres(outcome: job.ProgramDraft) -> Floats:
     """Places (k, 3) mm of the ball's centre along the real way of all feed blocks, STEP apart or nearer."""
-    words, feeding, radius = made.program.words, made.program.motion[1:] != Motion.RAPID, DIAMETER / 2.0
-    tip, axis = forward(made.kinematics, words_to_q(words))
+    words, feeding, radius = outcome.program.words, outcome.program.motion[1:] != Motion.RAPID, DIAMETER / 2.0
+    tip, axis = forward(outcome.kinematics, words_to_q(words))
     length = np.linalg.norm(np.diff(tip + radius * axis, axis=0), axis=1)
     turn = np.abs(np.diff(words, axis=0)).max(axis=1)
     count = np.maximum(2, np.ceil(np.maximum(length, 0.05 * turn) / STEP)).astype(np.int64)
@@ -73,7 +73,7 @@ def swept_centres(made: job.ProgramDraft) -> Floats:
             count[rows], count[rows]
         )
         tip, axis = forward(
-            made.kinematics, words_to_q(words[row] + share[:, None] * (words[row + 1] - words[row]))
+            outcome.kinematics, words_to_q(words[row] + share[:, None] * (words[row + 1] - words[row]))
         )
         found.append(tip + radius * axis)
     return np.concatenate(found)

@@ -39,7 +39,7 @@ PLAIN = {"passes": "planes", "tool_axis": "facet_mean"}
 TOLERANCE = 0.01
 POSITIONS, FEW = 60_000, 2_000  # of the check; of the peers, whose time grows with their number
 ROUNDS = 3
-ASKED = 50_000.0
+WANTED = 50_000.0
 MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
 REAL = {"head": 10.0, "motor": 8.0, "propeller": 30.0, "bearing": 4.0, "video_part": 15.0}  # diameter, mm
 ALONG, ACROSS, EDGE = 500, 24, 50.0  # points along and across the mesh; length of the edge, mm
@@ -51,9 +51,9 @@ def milled(mesh: Mesh) -> job.MilledProgram:
     settings = build_settings(
         "mill", "bumpy", {**options, **PLAIN, "max_axis_angle": 60, "linearize": "on", "gouge": "off"}
     )
-    made = job.make(settings, mesh=mesh)
-    assert isinstance(made, job.MilledProgram)
-    return made
+    result = job.make(settings, mesh=mesh)
+    assert isinstance(result, job.MilledProgram)
+    return result
 
 
 class Neighbours:
@@ -80,13 +80,13 @@ class Neighbours:
 def rates(facets: int) -> dict[str, float]:
     """Return the check's rates and the peers', positions a second."""
     mesh = bumpy(facets)
-    made, tree = milled(mesh), facet_tree(mesh)
+    result, tree = milled(mesh), facet_tree(mesh)
     real, straight = (
-        real_motion(made.kinematics, made.program.words),
-        straight_motion(made.path.tip, made.path.axis),
+        real_motion(result.kinematics, result.program.words),
+        straight_motion(result.path.tip, result.path.axis),
     )
     body, few = body_of(Cutter(DIAMETER)), np.arange(1000, 1000 + FEW)
-    centres = made.path.tip[few] + 0.5 * DIAMETER * made.path.axis[few]
+    centres = result.path.tip[few] + 0.5 * DIAMETER * result.path.axis[few]
     peer = Neighbours(mesh)
     found: dict[str, list[float]] = {name: [] for name in ("real", "straight", "tree", "peer")}
     for _ in range(ROUNDS):  # in turns: a busy machine slows all of them alike
@@ -212,7 +212,7 @@ def main(facets: tuple[int, ...] = FACETS) -> None:
         ))  # fmt: skip
     heads = ("facets", "tree", "straight", "real ways", "k-d tree, poses only", "times")
     print_table(f"Gouge check, ball {DIAMETER:g} mm with its cylinder: positions/s", heads, rows)
-    print(f"{ASKED / 1e3:g} k positions/s are asked for at 100k facets")
+    print(f"{WANTED / 1e3:g} k positions/s are asked for at 100k facets")
     real_meshes()
 
 

@@ -38,7 +38,7 @@ LENGTH, TOLERANCE = 120.0, 0.01
 BLOCKS, SAMPLED = 40_000, 40
 """Blocks of the check; those of the samples, whose time grows with their number."""
 SAMPLES, ROUNDS = 200, 3
-ASKED = 20_000.0
+WANTED = 20_000.0
 TOOL = Body(
     (
         round_piece(0.0, 3.0, 3.0),
@@ -208,7 +208,7 @@ def main() -> None:
         [(what, f"{wall:,.0f}", f"{processor:,.0f}") for what, wall, processor in rates],
     )
     print(
-        f"\nratio {rates[0][1] / rates[1][1]:,.0f}; asked for: {ASKED:,.0f} blocks/s, found "
+        f"\nratio {rates[0][1] / rates[1][1]:,.0f}; asked for: {WANTED:,.0f} blocks/s, found "
         f"{rates[0][1]:,.0f}"
     )
 

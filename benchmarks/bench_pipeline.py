@@ -77,9 +77,9 @@ def timed(settings: Settings, rounds: int) -> Timed:
         posted = job.make(settings)
         assert isinstance(posted, job.PostedProgram)
         write_whole(output, posted.nc)
-        made = time.perf_counter()
+        result = time.perf_counter()
         job.prove(posted)
-        found.append((made - start, time.perf_counter() - made, percent_rate(posted.program.words)))
+        found.append((result - start, time.perf_counter() - result, percent_rate(posted.program.words)))
         blocks = len(posted.program.words)
         del posted  # it needs as much room as the next one
     return Timed(blocks, *np.median(found, axis=0).tolist())
@@ -91,12 +91,12 @@ def main(sizes: list[tuple[int, int]]) -> None:
     for facets, passes in sizes:
         with tempfile.TemporaryDirectory() as folder:
             settings, millions = settings_for(Path(folder), facets, passes)
-            blocks, made, proven, percent = timed(settings, FEW if rows else ROUNDS)
+            blocks, result, proven, percent = timed(settings, FEW if rows else ROUNDS)
             peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
             rows.append(
-                (f"{millions:.2f}", passes, blocks, f"{made:.2f}", f"{blocks / made / 1e6:.2f}",
-                 f"{blocks / (made + proven) / 1e6:.2f}",
-                 f"{percent / 1e6:.2f}", f"{blocks / made / percent:.2f}", f"{made / blocks * 1e6:.2f}",
+                (f"{millions:.2f}", passes, blocks, f"{result:.2f}", f"{blocks / result / 1e6:.2f}",
+                 f"{blocks / (result + proven) / 1e6:.2f}",
+                 f"{percent / 1e6:.2f}", f"{blocks / result / percent:.2f}", f"{result / blocks * 1e6:.2f}",
                  f"{peak:.2f}")
             )  # fmt: skip
     heads = (

@@ -41,9 +41,9 @@ def compare() -> None:
             found = preview_passes(settings, mesh=mesh)
             taken = median_seconds(lambda settings=settings: preview_passes(settings, mesh=mesh), 1)
             whole = median_seconds(lambda settings=settings: job.make(settings, mesh=mesh), 1)
-            said = " ".join(f"{name} {value}" for name, value in spacing.items())
+            message = " ".join(f"{name} {value}" for name, value in spacing.items())
             rows.append(
-                [passes, said, found.passes, f"{found.length / 1000:.1f}", f"{1e3 * taken:.0f}",
+                [passes, message, found.passes, f"{found.length / 1000:.1f}", f"{1e3 * taken:.0f}",
                     f"{1e3 * whole:.0f}",
                  f"{whole / taken:.1f}"]
             )  # fmt: skip

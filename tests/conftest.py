@@ -26,14 +26,14 @@ def processor_seconds():
     return sum(os.times()[:4])
 
 
-def _keeping(made, of):
+def _keeping(result, of):
     """The function ``draft``, whose result is kept under ``of(its arguments)`` and given to whoever asks for
     the same."""
 
     def act(*given):
-        name = made.__module__, made.__name__, of(*given)
+        name = result.__module__, result.__name__, of(*given)
         if name not in KEPT:
-            KEPT[name] = made(*given)
+            KEPT[name] = result(*given)
         return KEPT[name]
 
     return act

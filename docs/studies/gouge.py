@@ -75,8 +75,8 @@ def legend(axes: Any, scale: HeightScale) -> None:
     marks = [(level, height) for level, height in scale_marks(scale) if level != 0.0]
     axes.set_xticks([level for level, _ in marks], [f"{height:+.3g}" for _, height in marks], fontsize=8)
     axes.set_yticks([])
-    said = f"too deep  <  {-scale.tolerance:g} to {scale.allowed:+.3g} mm is as it should be  <  left, mm"
-    axes.set_xlabel(said, fontsize=8)
+    message = f"too deep  <  {-scale.tolerance:g} to {scale.allowed:+.3g} mm is as it should be  <  left, mm"
+    axes.set_xlabel(message, fontsize=8)
 
 
 def main() -> None:
@@ -92,16 +92,18 @@ def main() -> None:
     figure = plt.figure(figsize=(10.5, 4.3), layout="constrained")
     panels = figure.subplot_mosaic([["before", "after"], ["legend", "legend"]], height_ratios=(14, 1))
     for name, one in (("before", before), ("after", after)):
-        told = summary(one)
-        overcut = f"overcut up to {told['max_overcut']:.3f} mm" if told["overcut_blocks"] else "no overcut"
-        rest = f"at most {told['max_left']:.3f} mm left"
+        reported = summary(one)
+        overcut = (
+            f"overcut up to {reported['max_overcut']:.3f} mm" if reported["overcut_blocks"] else "no overcut"
+        )
+        rest = f"at most {reported['max_left']:.3f} mm left"
         seen(
             panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {rest}"
         )
         print(
             name,
             {
-                key: told[key]
+                key: reported[key]
                 for key in (
                     "max_overcut",
                     "overcut_blocks",

@@ -38,11 +38,11 @@ def profiles_table() -> Table:
     lines = heading("profiles", "rotary axis", "facet_mean, mm", "step_weighted, mm", "ratio", "better on")
     head = profiles.head()
     for family in profiles.FAMILIES:
-        made = {
+        result = {
             profiles.depth_name(depth): profiles.largest_below(family, depth) for depth in profiles.DEPTHS
         }
-        made["in the head"] = profiles.largest(family, lambda points: head)
-        for name, worst in made.items():
+        result["in the head"] = profiles.largest(family, lambda points: head)
+        for name, worst in result.items():
             (conventional, weighted), ratio = np.median(worst, axis=0), worst[:, 1] / worst[:, 0]
             better = f"{np.count_nonzero(ratio < 1.0)} of {len(ratio)}"
             lines.append(
@@ -80,12 +80,12 @@ def part_table(part: str, table: str) -> Table:
 def pass_table() -> Table:
     """Largest deviation of each pass, mm: facet_mean / step_weighted."""
     lines = heading("pass", *(profiles.depth_name(depth) for depth in profiles.DEPTHS))
-    made = [
+    result = [
         [parts.mill(parts.PART, "table_ab", method, depth).per_pass for method in profiles.METHODS]
         for depth in profiles.DEPTHS
     ]
-    for number in range(len(made[0][0])):
-        lines.append(row(str(number + 1), *(f"{one[number]:.3f} / {two[number]:.3f}" for one, two in made)))
+    for number in range(len(result[0][0])):
+        lines.append(row(str(number + 1), *(f"{one[number]:.3f} / {two[number]:.3f}" for one, two in result)))
     return lines
 
 
@@ -95,15 +95,17 @@ def worst_table() -> Table:
     lines = heading("rotary axes", "worst of", "pass", "step, mm", "facet_mean, mm", "step_weighted, mm")
     for depth in profiles.DEPTHS:
         both = [parts.mill(parts.PART, "table_ab", method, depth) for method in profiles.METHODS]
-        for method, made in zip(profiles.METHODS, both, strict=True):
-            worst = int(made.deviation.argmax())
-            same = (f"{parts.deviation_at(other, made.start[worst], made.end[worst]):.3f}" for other in both)
+        for method, result in zip(profiles.METHODS, both, strict=True):
+            worst = int(result.deviation.argmax())
+            same = (
+                f"{parts.deviation_at(other, result.start[worst], result.end[worst]):.3f}" for other in both
+            )
             lines.append(
                 row(
                     profiles.depth_name(depth),
                     method,
-                    str(made.pass_[worst]),
-                    f"{made.length[worst]:.2f}",
+                    str(result.pass_[worst]),
+                    f"{result.length[worst]:.2f}",
                     *same,
                 )
             )

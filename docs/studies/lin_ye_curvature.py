@@ -65,10 +65,10 @@ def ring() -> tuple[Mesh, Exact]:
 SURFACES = {"sphere, facets at random": ball, "cylinder, strips": barrel, "torus, even cells": ring}
 
 
-def curvatures(made: tuple[Mesh, Exact]) -> tuple[Floats, Floats, Floats, Floats]:
+def curvatures(result: tuple[Mesh, Exact]) -> tuple[Floats, Floats, Floats, Floats]:
     """Along the segments (s,) of passes over the surface: by eq. (8), by the mean over neighbours, exact,
     1/mm; and their length, mm."""
-    mesh, exact = made
+    mesh, exact = result
     across = np.array((-np.sin(ANGLE), np.cos(ANGLE), 0.0))
     offset = mesh.vertex @ across
     contact = slice_mesh(mesh, np.arange(offset.min() + 0.3, offset.max(), STEPOVER), ANGLE)

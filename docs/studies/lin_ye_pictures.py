@@ -32,14 +32,14 @@ ROOM = 1.45
 def draw_all(folder: Path) -> list[str]:
     """Draw every picture into ``folder``; returns their names."""
     folder.mkdir(parents=True, exist_ok=True)
-    made = []
+    result = []
     with plt.rc_context(STYLE):
         for name, draw in PICTURES.items():
             figure = draw()
             figure.savefig(folder / f"lin-ye-{name}.png", dpi=DPI, metadata={"Software": None})
             plt.close(figure)
-            made.append(f"lin-ye-{name}.png")
-    return made
+            result.append(f"lin-ye-{name}.png")
+    return result
 
 
 def half_circle() -> Any:
@@ -144,9 +144,9 @@ def whole_part() -> Any:
     """Figs. 19 to 21: deviation over the whole part by either method, and both by passes."""
     figure, axes = plt.subplots(2, 3, figsize=(WIDE * 1.2, 4.8), layout="constrained", width_ratios=(1, 1, 1))
     for row, below in zip(axes, (None, 150.0), strict=True):
-        made = {method: parts.mill(parts.PART, "table_ab", method, below) for method in profiles.METHODS}
-        most = max(cuts.deviation.max() for cuts in made.values())
-        for panel, (method, cuts) in zip(row, made.items(), strict=False):
+        result = {method: parts.mill(parts.PART, "table_ab", method, below) for method in profiles.METHODS}
+        most = max(cuts.deviation.max() for cuts in result.values())
+        for panel, (method, cuts) in zip(row, result.items(), strict=False):
             lines = _blocks(cuts, LogNorm(parts.LEAST, most))
             panel.add_collection(lines)
             panel.autoscale()

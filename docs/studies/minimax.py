@@ -39,12 +39,12 @@ def parts_table() -> Table:
         ("233 facets, `trunnion_ac`", parts.PART, "trunnion_ac", {}),
         ("half cylinder, one axis turns", "half_cylinder", "table_ab", cases.HALF),
     ):
-        made = [cases.part(part, table, depth, **others) for depth in profiles.DEPTHS]
+        result = [cases.part(part, table, depth, **others) for depth in profiles.DEPTHS]
         digits = 5 if part == "half_cylinder" else 3
         lines.append(row(name, *(
             f"{one.deviation.max():.{digits}f} / {two.deviation.max():.{digits}f} "
             f"(**{cases.ratio((one, two)):.1f}**)"
-            for one, two in made
+            for one, two in result
         )))  # fmt: skip
     return lines
 
@@ -62,11 +62,11 @@ def optimum_table() -> Table:
     )
     for family in cases.FAMILIES:
         for depth in profiles.DEPTHS:
-            made = [cases.profile(family, seed, depth) for seed in cases.SEEDS]
+            result = [cases.profile(family, seed, depth) for seed in cases.SEEDS]
             mean, found = (
-                np.array([case.largest(getattr(case, name)) for case in made]) for name in ("mean", "found")
+                np.array([case.largest(getattr(case, name)) for case in result]) for name in ("mean", "found")
             )
-            best = np.array([cases.optimum(case, cases.TILT, LATTICE) for case in made])
+            best = np.array([cases.optimum(case, cases.TILT, LATTICE) for case in result])
             lines.append(row(
                 family, profiles.depth_name(depth), f"{np.median(mean):.3f}", f"{np.median(found):.4f}",
                 _spread(mean / found, 1),
@@ -120,8 +120,8 @@ def draw() -> None:
 
 def main() -> None:
     text = DOCUMENT.read_text(encoding="utf-8")
-    made = PLACE.sub(lambda match: match[1] + "\n".join([*TABLES[match[2]](), match[4]]), text)
-    DOCUMENT.write_text(made, encoding="utf-8")
+    result = PLACE.sub(lambda match: match[1] + "\n".join([*TABLES[match[2]](), match[4]]), text)
+    DOCUMENT.write_text(result, encoding="utf-8")
     print(DOCUMENT)
     draw()
     print(PICTURE)

@@ -132,8 +132,10 @@ def picture() -> None:
         "origin": (100.0, 0.0, -30.0),
         "grid": "9,9,1",
     }
-    for told, figure in pictures(try_setups(build_settings("setup", "dome", given), mesh=mesh("dome")).chart):
-        figure.savefig(DOCS / "images" / f"setup-{told[0]}.png", dpi=DPI, metadata={"Software": None})
+    for reported, figure in pictures(
+        try_setups(build_settings("setup", "dome", given), mesh=mesh("dome")).chart
+    ):
+        figure.savefig(DOCS / "images" / f"setup-{reported[0]}.png", dpi=DPI, metadata={"Software": None})
 
 
 def main() -> None:

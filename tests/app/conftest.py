@@ -24,9 +24,9 @@ UNCURED = {"linearize": "off", "gouge": "off"}
 @pytest.fixture
 def doc():
     """An empty document, closed afterwards."""
-    made = FreeCAD.newDocument("FiveAxisTest")
-    name = made.Name  # a closed document has none
-    yield made
+    result = FreeCAD.newDocument("FiveAxisTest")
+    name = result.Name  # a closed document has none
+    yield result
     if name in FreeCAD.listDocuments():
         FreeCAD.closeDocument(name)
 

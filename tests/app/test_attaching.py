@@ -84,7 +84,7 @@ def test_each_is_chosen_once_and_a_body_stands_for_its_features(doc):
     assert box_of([(body, ("Pad.Face1",))]) == [(0.0, 0.0, 0.0), (10.0, 10.0, 10.0)]
 
 
-def test_facets_lie_within_the_deviation_that_is_asked_for(doc):
+def test_facets_lie_within_the_deviation_that_is_requested(doc):
     ball = doc.addObject("Part::Sphere", "Ball")
     ball.Radius = 50
     doc.recompute()

@@ -46,29 +46,29 @@ def hits(audit):
 def test_the_tool_is_proven_against_a_solid_on_every_kind_of_machine(doc, tmp_path, machine):
     file = program(tmp_path, machine)
     given = GIVEN | {"machine": machine, "work_zero": (5, 6, 7)}
-    made = app.audit(doc, file, fixtures=[clamp(doc, (5, 6, 7))], **given)
-    (one,) = hits(made)
+    result = app.audit(doc, file, fixtures=[clamp(doc, (5, 6, 7))], **given)
+    (one,) = hits(result)
     assert one.line == 4 and one.hit.enters == "cutter" and one.hit.entered == "Clamp"
-    assert any("into the fixture Clamp" in text for text in made.Findings)
-    assert results.figures_of(made).fixtures == ("Clamp",)
+    assert any("into the fixture Clamp" in text for text in result.Findings)
+    assert results.figures_of(result).fixtures == ("Clamp",)
     far = app.audit(doc, file, fixtures=[box(doc, "Far", (5, 60, 0), (10, 10, 40))], **given)
     assert not hits(far), "the comparison can fail"
 
 
 def test_moving_changing_and_taking_away_a_fixture_makes_the_audit_another(doc, tmp_path):
     held, file = clamp(doc), program(tmp_path)
-    made = app.audit(doc, file, fixtures=[held], **GIVEN)
-    assert hits(made) and not results.out_of_date(made)
+    result = app.audit(doc, file, fixtures=[held], **GIVEN)
+    assert hits(result) and not results.out_of_date(result)
     held.Placement.Base.y = 60
-    assert "Clamp was changed" in results.out_of_date(made)
+    assert "Clamp was changed" in results.out_of_date(result)
     doc.recompute()
-    assert not results.out_of_date(made) and not hits(made)
+    assert not results.out_of_date(result) and not hits(result)
     held.Placement.Base.y = -10
     doc.recompute()
-    changes.change_audit(made, file, GIVEN)
-    assert made.Fixtures == [held] and hits(made), "what is not named stays"
-    changes.change_audit(made, file, {**GIVEN, "fixtures": []})
-    assert not made.Fixtures and not hits(made) and results.figures_of(made).fixtures == ()
+    changes.change_audit(result, file, GIVEN)
+    assert result.Fixtures == [held] and hits(result), "what is not named stays"
+    changes.change_audit(result, file, {**GIVEN, "fixtures": []})
+    assert not result.Fixtures and not hits(result) and results.figures_of(result).fixtures == ()
 
 
 def test_shank_holder_and_spindle_are_looked_at_beside_fixtures_without_a_part(doc, tmp_path):
@@ -82,10 +82,12 @@ def test_shank_holder_and_spindle_are_looked_at_beside_fixtures_without_a_part(d
     assert one.hit.enters == "spindle" and one.hit.entered == "Tall"
 
 
-def test_near_misses_are_told_beside_a_fixture(doc, tmp_path):
-    made = app.audit(doc, program(tmp_path), fixtures=[clamp(doc, (0, 15, 0))], fixture_clearance=4, **GIVEN)
-    (one,) = [one for one in results.result_of(made).findings if one.code == "fixture-near"]
-    assert one.value == pytest.approx(2.0, abs=0.05) and not hits(made)
+def test_near_misses_are_reported_beside_a_fixture(doc, tmp_path):
+    result = app.audit(
+        doc, program(tmp_path), fixtures=[clamp(doc, (0, 15, 0))], fixture_clearance=4, **GIVEN
+    )
+    (one,) = [one for one in results.result_of(result).findings if one.code == "fixture-near"]
+    assert one.value == pytest.approx(2.0, abs=0.05) and not hits(result)
 
 
 def test_the_part_itself_and_what_is_no_solid_are_refused_and_nothing_is_left_behind(doc, tmp_path):
@@ -100,8 +102,8 @@ def test_the_part_itself_and_what_is_no_solid_are_refused_and_nothing_is_left_be
 
 
 def test_fixtures_are_kept_in_the_file_of_the_document(doc, tmp_path, reopen):
-    made = app.audit(doc, program(tmp_path), fixtures=[clamp(doc)], **GIVEN)
-    name = made.Name
+    result = app.audit(doc, program(tmp_path), fixtures=[clamp(doc)], **GIVEN)
+    name = result.Name
     again = reopen(doc).getObject(name)
     assert [one.Label for one in again.Fixtures] == ["Clamp"]
     assert not results.out_of_date(again) and hits(again)

@@ -26,36 +26,39 @@ def table2(tmp_path):
 
 
 def test_table_2_of_so_is_judged(doc, table2):
-    made = app.audit(doc, table2, "mikron_ucp710")
-    assert made.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
-    assert made.MaxLineDeviation.Value == pytest.approx(0.9384, abs=3e-4)
-    assert (made.WorstLine, made.SingularBlocks, made.OverTolerance, made.Proven) == (3, 1, 1, False)
+    result = app.audit(doc, table2, "mikron_ucp710")
+    assert result.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
+    assert result.MaxLineDeviation.Value == pytest.approx(0.9384, abs=3e-4)
+    assert (result.WorstLine, result.SingularBlocks, result.OverTolerance, result.Proven) == (3, 1, 1, False)
     assert (
-        made.State == ["Up-to-date"]
-        and results.out_of_date(made) == ""
-        and results.nc_of(made) == TABLE_2.encode()
+        result.State == ["Up-to-date"]
+        and results.out_of_date(result) == ""
+        and results.nc_of(result) == TABLE_2.encode()
     )
-    assert any("2.1264 mm" in text for text in made.Findings)
-    assert (made.MaxSurfaceDeviation, made.MaxSurfaceBound) == (made.MaxSegmentDeviation, made.MaxBound), (
-        "judged by the tip"
+    assert any("2.1264 mm" in text for text in result.Findings)
+    assert (result.MaxSurfaceDeviation, result.MaxSurfaceBound) == (
+        result.MaxSegmentDeviation,
+        result.MaxBound,
+    ), "judged by the tip"
+    assert not any("centre of the ball" in text for text in result.Findings), (
+        "nobody has said that a ball cuts"
     )
-    assert not any("centre of the ball" in text for text in made.Findings), "nobody has said that a ball cuts"
 
 
 def test_of_a_ball_that_is_given_the_centre_is_judged_and_the_tip_stands_beside_it(doc, table2):
-    made = app.audit(doc, table2, "mikron_ucp710", cutter="ball:6")
-    assert made.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
-    centre = results.figures_of(made).surface.segment
+    result = app.audit(doc, table2, "mikron_ucp710", cutter="ball:6")
+    assert result.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
+    centre = results.figures_of(result).surface.segment
     assert (
-        made.MaxSurfaceDeviation.Value == pytest.approx(centre.max(), abs=1e-9)
+        result.MaxSurfaceDeviation.Value == pytest.approx(centre.max(), abs=1e-9)
         and abs(centre.max() - 2.1264) > 0.01
     )
 
 
 def test_the_marker_stands_at_the_largest_deviation_in_the_document(doc, table2):
-    made = app.audit(doc, table2, "mikron_ucp710", work_zero=(100, 0, -5))
-    marks = app.annotate(made)
-    figures = results.figures_of(made)
+    result = app.audit(doc, table2, "mikron_ucp710", work_zero=(100, 0, -5))
+    marks = app.annotate(result)
+    figures = results.figures_of(result)
     place = figures.deviation.place[figures.worst[0]]
     assert marks.Kinds[0] == "largest-deviation" and marks.Labels[0] == "2.126 mm, line 3"
     np.testing.assert_allclose(tuple(marks.Places[0]), place + (100, 0, -5), atol=1e-9)
@@ -74,10 +77,10 @@ def test_a_part_to_compare_with_is_looked_at_by_the_whole_tool_unless_it_is_turn
     )
     part.write_text(f"solid box\n{facets}endsolid box\n")
     for given, seen in (({}, True), ({"gouge": "off"}, False)):
-        made = app.audit(
+        result = app.audit(
             doc, program, "trunnion_ac", cutter="ball:2:4", holder="8x20", against=str(part), **given
         )
-        assert any(one.code == "rapid-collision" for one in results.figures_of(made).findings) is seen
+        assert any(one.code == "rapid-collision" for one in results.figures_of(result).findings) is seen
     assert app.audit(doc, program, "trunnion_ac", holder="8x20").State == [
         "Up-to-date"
     ]  # drawn, and nothing to check it with
@@ -93,11 +96,11 @@ def test_a_solid_of_the_document_is_compared_with_as_its_stl_is(doc, ball, tmp_p
     app.tessellate(ball, tmp_path / "ball.stl")
     given = {"cutter": "ball:4:30", "holder": "8x20"}
     by_file = app.audit(doc, program, "trunnion_ac", against=str(tmp_path / "ball.stl"), **given)
-    made = app.audit(doc, program, "trunnion_ac", part=ball, **given)
-    assert made.Findings == by_file.Findings and any(
-        "too deep into the part" in text for text in made.Findings
+    result = app.audit(doc, program, "trunnion_ac", part=ball, **given)
+    assert result.Findings == by_file.Findings and any(
+        "too deep into the part" in text for text in result.Findings
     )
-    assert results.figures_of(made).inputs["against"] == "Ball.stl" and results.out_of_date(made) == ""
+    assert results.figures_of(result).inputs["against"] == "Ball.stl" and results.out_of_date(result) == ""
     without = app.audit(doc, program, "trunnion_ac", **given)
     assert not any("too deep" in text for text in without.Findings)
     mesh = doc.addObject("Mesh::Feature", "Facets")
@@ -114,34 +117,34 @@ def test_a_part_that_changes_puts_the_audit_out_of_date_and_a_recompute_looks_ag
     ball = doc.addObject("Part::Sphere", "Sphere")
     ball.Radius, ball.Angle1 = 20, 0
     doc.recompute()
-    made = app.audit(doc, program, "trunnion_ac", part=ball, cutter="ball:4:30")
-    deep = [text for text in made.Findings if "too deep into the part" in text]
-    before = made.Fingerprint
+    result = app.audit(doc, program, "trunnion_ac", part=ball, cutter="ball:4:30")
+    deep = [text for text in result.Findings if "too deep into the part" in text]
+    before = result.Fingerprint
     doc.recompute()
-    assert made.Fingerprint == before and deep
+    assert result.Fingerprint == before and deep
     ball.Radius = 8
-    assert "was changed: recompute the document" in results.out_of_date(made)
+    assert "was changed: recompute the document" in results.out_of_date(result)
     doc.recompute()
-    assert made.Fingerprint != before and results.out_of_date(made) == ""
-    assert not [text for text in made.Findings if "too deep into the part" in text]
+    assert result.Fingerprint != before and results.out_of_date(result) == ""
+    assert not [text for text in result.Findings if "too deep into the part" in text]
     ball.Placement.Base.z = 6  # moved, and its shape the same
     doc.recompute()
-    assert [text for text in made.Findings if "too deep into the part" in text] not in ([], deep)
-    made.WorkZero = (0, 0, 12)
+    assert [text for text in result.Findings if "too deep into the part" in text] not in ([], deep)
+    result.WorkZero = (0, 0, 12)
     doc.recompute()
-    assert not [text for text in made.Findings if "too deep into the part" in text]
+    assert not [text for text in result.Findings if "too deep into the part" in text]
 
 
 def test_a_part_that_is_deleted_is_missed_and_the_audit_does_not_pass_without_it(doc, ball, tmp_path):
     program = tmp_path / "p.ngc"
     program.write_text(INTO_THE_BALL)
-    made = app.audit(doc, program, "trunnion_ac", part=ball, cutter="ball:4:30")
+    result = app.audit(doc, program, "trunnion_ac", part=ball, cutter="ball:4:30")
     doc.removeObject("Ball")
-    assert "Ball, which Audit is compared with, was deleted" in results.out_of_date(made)
+    assert "Ball, which Audit is compared with, was deleted" in results.out_of_date(result)
     doc.recompute()
-    assert "Invalid" in made.State and made.Blocks == 0 and "was deleted" in made.Findings[0]
-    changes.change_audit(made, str(program), {"machine": "trunnion_ac", "part": None})
-    assert made.State == ["Up-to-date"] and made.Blocks > 0 and results.out_of_date(made) == ""
+    assert "Invalid" in result.State and result.Blocks == 0 and "was deleted" in result.Findings[0]
+    changes.change_audit(result, str(program), {"machine": "trunnion_ac", "part": None})
+    assert result.State == ["Up-to-date"] and result.Blocks > 0 and results.out_of_date(result) == ""
 
 
 def test_what_is_no_part_of_the_document_is_refused_and_nothing_is_left(doc, table2):
@@ -153,10 +156,10 @@ def test_what_is_no_part_of_the_document_is_refused_and_nothing_is_left(doc, tab
     assert doc.Objects == [sketch]
 
 
-def test_the_file_that_vanished_or_changed_is_told(doc, table2, reopen):
-    made = app.audit(doc, table2, "mikron_ucp710")
+def test_the_file_that_vanished_or_changed_is_reported(doc, table2, reopen):
+    result = app.audit(doc, table2, "mikron_ucp710")
     table2.write_text(TABLE_2.replace("34.8175", "34.8176"))
-    assert "recompute the document" in results.out_of_date(made)
+    assert "recompute the document" in results.out_of_date(result)
     again = reopen(doc).Audit
     again.touch()
     again.Document.recompute()
@@ -226,7 +229,7 @@ def test_a_path_has_one_markers_object_that_follows_it(doc, dome):
     assert len(marks.Places) < before and marks.State == ["Up-to-date"]
 
 
-def test_markers_without_a_path_are_told(doc, dome, reopen):
+def test_markers_without_a_path_are_reported(doc, dome, reopen):
     path = app.create_toolpath(doc, dome, **DOME)
     app.annotate(path)
     again = reopen(doc)

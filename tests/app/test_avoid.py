@@ -32,22 +32,22 @@ def face_at(obj, **middle):
 @pytest.fixture
 def step(doc):
     """Two floors side by side: z = 10 up to x = 10, z = 5 beyond it."""
-    made = doc.addObject("Part::Feature", "Step")
+    result = doc.addObject("Part::Feature", "Step")
     low, high = Part.makeBox(20, WIDE, 5), Part.makeBox(10, WIDE, 10)
-    made.Shape = low.fuse(high).removeSplitter().Solids[0]
+    result.Shape = low.fuse(high).removeSplitter().Solids[0]
     doc.recompute()
-    return made
+    return result
 
 
 def contacts(path):
     """Where the ball's lowest point goes, sampled along every feed block, cuts and links, two hundred times:
     mm, document."""
-    made = results.result_of(path).draft.path
-    begin = np.flatnonzero(made.motion[1:] != Motion.RAPID)
+    result = results.result_of(path).draft.path
+    begin = np.flatnonzero(result.motion[1:] != Motion.RAPID)
     end = begin + 1
     share = np.linspace(0.0, 1.0, 201)[:, None, None]
-    tip = (made.tip[begin] * (1 - share) + made.tip[end] * share).reshape(-1, 3)
-    axis = (made.axis[begin] * (1 - share) + made.axis[end] * share).reshape(-1, 3)
+    tip = (result.tip[begin] * (1 - share) + result.tip[end] * share).reshape(-1, 3)
+    axis = (result.axis[begin] * (1 - share) + result.axis[end] * share).reshape(-1, 3)
     centre = tip + RADIUS * axis / np.linalg.norm(axis, axis=1, keepdims=True)
     return centre - (0.0, 0.0, RADIUS) + np.array(tuple(path.WorkZero))  # all floors are level
 
@@ -84,10 +84,10 @@ def test_the_tool_keeps_the_allowance_off_a_face_that_is_left_alone(doc, step):
     assert nearest_on_floor(plain) < 12.0 + 0.05
     assert 13.0 - 0.02 <= nearest_on_floor(path) < 13.0 + 0.05, "the ball's radius and 1 mm beside the wall"
     assert on(contacts(path), step, low) > 500
-    made = results.result_of(path).draft
+    result = results.result_of(path).draft
     assert [
-        one.value for one in made.findings if one.code == "near-avoided-faces"
-    ] and made.keep_off.some.any()
+        one.value for one in result.findings if one.code == "near-avoided-faces"
+    ] and result.keep_off.some.any()
     changes.change_toolpath(path, {**GIVEN, "avoid": [wall], "avoid_allowance": 2})
     assert 14.0 - 0.02 <= nearest_on_floor(path) < 14.0 + 0.05
     with pytest.raises(FiveAxisError, match="allowance on faces to avoid, and there are none"):
@@ -108,7 +108,7 @@ def test_of_chosen_faces_those_left_alone_are_taken_away(doc, step):
     assert (corner[~mask][..., 2] == 10).all() and not (corner[mask][..., 2] == 10).all(axis=1).any()
 
 
-def test_where_nothing_is_left_it_is_said_and_not_taken_for_all(doc, step):
+def test_where_nothing_is_left_it_is_stated_and_not_taken_for_all(doc, step):
     every = [f"Face{at + 1}" for at in range(len(step.Shape.Faces))]
     for given in ({"avoid": every}, {"faces": [every[0]], "avoid": every[:2]}):
         with pytest.raises(
@@ -165,17 +165,17 @@ def test_it_is_kept_in_the_file_changed_and_taken_back(doc, step, reopen, anew):
 def test_a_property_changed_by_hand_makes_the_path_another(doc, step):
     low = face_at(step, z=5, x=15)
     path = app.create_toolpath(doc, step, **GIVEN)
-    before, made_of = results.nc_of(path), path.Mesh.MadeOf
+    before, result_of = results.nc_of(path), path.Mesh.MadeOf
     path.Mesh.Avoid = (step, [low])
     assert "was changed" in results.out_of_date(path)
     doc.recompute()
-    assert not results.out_of_date(path) and results.nc_of(path) != before and path.Mesh.MadeOf != made_of
+    assert not results.out_of_date(path) and results.nc_of(path) != before and path.Mesh.MadeOf != result_of
     path.Mesh.Avoid = None
     doc.recompute()
-    assert results.nc_of(path) == before and path.Mesh.MadeOf == made_of
+    assert results.nc_of(path) == before and path.Mesh.MadeOf == result_of
 
 
-def test_a_face_that_is_gone_is_told_and_nothing_is_posted_without_it(doc, step, tmp_path):
+def test_a_face_that_is_gone_is_reported_and_nothing_is_posted_without_it(doc, step, tmp_path):
     last = f"Face{len(step.Shape.Faces)}"
     path = app.create_toolpath(doc, step, avoid=[last], **GIVEN)
     step.Shape = Part.makeBox(20, WIDE, 5)
@@ -195,7 +195,7 @@ def test_a_face_that_is_gone_is_told_and_nothing_is_posted_without_it(doc, step,
     assert not results.out_of_date(path) and app.post_process(path, tmp_path / "a.ngc").UpToDate
 
 
-def test_faces_of_another_solid_than_the_base_are_told(doc, step):
+def test_faces_of_another_solid_than_the_base_are_reported(doc, step):
     path = app.create_toolpath(doc, step, **GIVEN)
     other = doc.addObject("Part::Box", "Other")
     path.Mesh.Avoid = (other, ["Face1"])
@@ -207,18 +207,18 @@ def test_faces_of_another_solid_than_the_base_are_told(doc, step):
 
 def test_an_older_document_opens_unchanged(doc, step, reopen, anew):
     path = app.create_toolpath(doc, step, **GIVEN)
-    nc, name, made_of = results.nc_of(path), path.Name, path.Mesh.MadeOf
+    nc, name, result_of = results.nc_of(path), path.Name, path.Mesh.MadeOf
     path.Mesh.removeProperty("Avoid")
     doc.recompute()
     again = reopen(doc).getObject(name)
     anew()
-    assert again.Mesh.Avoid is None and again.Mesh.MadeOf == made_of and again.Mesh.State == ["Up-to-date"]
+    assert again.Mesh.Avoid is None and again.Mesh.MadeOf == result_of and again.Mesh.State == ["Up-to-date"]
     assert not results.out_of_date(again) and results.nc_of(again) == nc
-    assert tessellation.hash_inputs(again.Mesh) == made_of
+    assert tessellation.hash_inputs(again.Mesh) == result_of
 
 
 @pytest.mark.parametrize("faces", [(), ("wall", "low", "high")])
-def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_for(
+def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_requested(
     doc, step, reopen, faces, anew
 ):
     """Earlier versions did not keep which facets lie on them: the allowance was refused as one without
@@ -226,8 +226,8 @@ def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_f
     named = {"low": face_at(step, z=5, x=15), "high": face_at(step, z=10), "wall": face_at(step, x=10, z=7.5)}
     given = {**GIVEN, "faces": [named[one] for one in faces], "avoid": [named["wall"]]}
     path = app.create_toolpath(doc, step, **given)
-    asked = app.create_toolpath(doc, step, **given, avoid_allowance=1)
-    nc, wanted, name = results.nc_of(path), results.nc_of(asked), path.Name
+    request = app.create_toolpath(doc, step, **given, avoid_allowance=1)
+    nc, wanted, name = results.nc_of(path), results.nc_of(request), path.Name
     assert path.Mesh.AvoidedRuns and nc != wanted
     path.Mesh.removeProperty("AvoidedRuns")
     doc.recompute()
@@ -246,7 +246,7 @@ def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_f
     assert previewing.lay(again.Document, part, {**options, "avoid_allowance": 1}, (0, 0, 0)).length > 0
 
 
-def test_a_mesh_that_is_another_today_is_asked_to_be_recomputed(doc, step):
+def test_a_mesh_that_is_another_today_is_requested_to_be_recomputed(doc, step):
     wall = face_at(step, x=10, z=7.5)
     path = app.create_toolpath(doc, step, avoid=[wall], **GIVEN)
     path.Mesh.AvoidedRuns, path.Mesh.FacetRuns = [], [0, 2]
@@ -273,14 +273,14 @@ def test_faces_are_taken_from_what_is_selected(doc, step, dome):
     other = doc.addObject("Part::Box", "Other")
     doc.recompute()
     assert selection.faces_of(step, [(step, ["Face3", "Face1", "Face3"])]) == ("Face3", "Face1")
-    for chosen, said in (
+    for chosen, message in (
         ([], "Nothing is selected: click faces of Step"),
         ([(step, [])], "Step is no face: select faces of Step"),
         ([(step, ["Face1", "Edge2"])], "Edge2 is no face: select faces of Step"),
         ([(other, ["Face1"])], "Face1 is a face of Other: select faces of Step"),
         ([(dome, ["Facet1"])], "Facet1 is no face"),
     ):
-        with pytest.raises(SelectionError, match=said):
+        with pytest.raises(SelectionError, match=message):
             selection.faces_of(step, chosen)
 
 

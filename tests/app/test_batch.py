@@ -113,7 +113,7 @@ def test_every_part_has_nc_and_reports_and_no_other_file_is_there(folders):
         assert "<html" in (out / f"{name}.html").read_text()
 
 
-def test_failures_are_told_in_one_line_each_and_stop_no_other(folders):
+def test_failures_are_reported_in_one_line_each_and_stop_no_other(folders):
     _, code, lines = folders
     failed = [line.split(": FAILED: ") for line in lines if "FAILED" in line]
     assert sorted(name.strip() for name, _ in failed) == [
@@ -187,7 +187,7 @@ def test_findings_of_severity_error_are_exit_1(step, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "message"),
     [
         ({"scalop": "1"}, "scalop is no setting"),
         ({"machine": ""}, "no machine given"),
@@ -195,7 +195,7 @@ def test_findings_of_severity_error_are_exit_1(step, tmp_path):
         ({"parts": "/no/such/folder"}, "holds no FCStd and no STEP file"),
     ],
 )
-def test_what_cannot_be_used_is_exit_2_and_leaves_no_file(step, tmp_path, change, said):
+def test_what_cannot_be_used_is_exit_2_and_leaves_no_file(step, tmp_path, change, message):
     code, lines = batch(step, tmp_path / "out", *words(**change))
-    assert code == 2 and len(lines) == lines.index(next(line for line in lines if said in line)) + 1
+    assert code == 2 and len(lines) == lines.index(next(line for line in lines if message in line)) + 1
     assert not (tmp_path / "out").exists()

@@ -22,10 +22,10 @@ pytestmark = pytest.mark.usefixtures("kept")
 
 @pytest.fixture
 def dome(doc):
-    made = doc.addObject("Part::Sphere", "Dome")
-    made.Radius, made.Angle1 = 10, 0
+    result = doc.addObject("Part::Sphere", "Dome")
+    result.Radius, result.Angle1 = 10, 0
     doc.recompute()
-    return made
+    return result
 
 
 def mill(dome, **settings):

@@ -46,15 +46,15 @@ def test_a_guided_program_is_not_called_proven(controller, how, doc, ball):
     assert path.GuidedBlocks == 0 and "RTCP" not in path.Verdict
 
 
-def test_what_a_controller_lacks_is_said(doc, ball):
-    for options, said in (
+def test_what_a_controller_lacks_is_stated(doc, ball):
+    for options, message in (
         ({"controller": "grbl", "rtcp": "angles"}, "does not guide the tip"),
         ({"controller": "haas", "rtcp": "vectors", "tool": 1}, "no RTCP by vectors"),
         ({"controller": "fanuc", "rtcp": "angles"}, "give --tool"),
         ({"controller": "mach3", "high_speed": "on"}, "no high-speed mode"),
         ({"controller": "haas", "rtcp": "angles", "linearize": "on"}, "give one"),
     ):
-        with pytest.raises(FiveAxisError, match=said):
+        with pytest.raises(FiveAxisError, match=message):
             app.create_toolpath(doc, ball, **FAST, **options)
     assert [obj.Name for obj in doc.Objects] == ["Ball"]
 

@@ -33,12 +33,12 @@ def solid(doc, name, low, size):
 def plate(doc):
     import FreeCAD
 
-    made = (
+    result = (
         solid(doc, "Plate", FreeCAD.Vector(0, 0, 0), (30, 20, 10)),
         solid(doc, "Clamp", FreeCAD.Vector(10, -8, 0), (10, 7, 25)),
     )
     doc.recompute()
-    return made
+    return result
 
 
 def hits(path, low, size):
@@ -65,15 +65,15 @@ def hits(path, low, size):
         (1, 5, 7),
         (1, 7, 3),
     ]
-    made = results.result_of(path).draft
+    result = results.result_of(path).draft
     fixture = Fixture("box", from_faces(corner, face))
     return check_fixtures(
         (fixture,),
-        tool_body(made.settings),
-        made.kinematics,
-        made.program,
+        tool_body(result.settings),
+        result.kinematics,
+        result.program,
         0.01,
-        tip_to_driven(made.settings),
+        tip_to_driven(result.settings),
     )
 
 

@@ -26,10 +26,10 @@ GIVEN = {
 
 @pytest.fixture
 def disc(doc):
-    made = doc.addObject("Part::Feature", "Disc")
-    made.Shape = Part.makeCylinder(15, 5, FreeCAD.Vector(20, 10, 0))
+    result = doc.addObject("Part::Feature", "Disc")
+    result.Shape = Part.makeCylinder(15, 5, FreeCAD.Vector(20, 10, 0))
     doc.recompute()
-    return made
+    return result
 
 
 def named(obj, kind, test):
@@ -69,19 +69,19 @@ def test_links_say_centre_and_axis_about_the_work_zero_and_follow_the_solid(doc,
     )
 
 
-def test_a_name_that_is_gone_and_a_wrong_one_are_told(doc, disc):
+def test_a_name_that_is_gone_and_a_wrong_one_are_reported(doc, disc):
     path = app.create_toolpath(doc, disc, picked={"pass_centre": (disc, rim(disc))}, **GIVEN)
     disc.Shape = Part.makeSphere(12)
     doc.recompute()
     assert results.out_of_date(path) and path.Findings, "the edge of that name is another one now, or none"
     with pytest.raises(SelectionError, match="which was picked: pick pass-centre anew"):
         guides.options_of({"pass_centre": (disc, "Edge9")}, (0, 0, 0))
-    for option, name, said in (
+    for option, name, message in (
         ("pass_centre", "Edge9", "has no Edge9"),
         ("pass_axis", "Vertex1", "has no axis"),
         ("pass_axis", "Face1", "has no axis"),
     ):
-        with pytest.raises(SelectionError, match=said):
+        with pytest.raises(SelectionError, match=message):
             guides.options_of({option: (disc, name)}, (0, 0, 0))
     assert guides.options_of({"pass_centre": (disc, "Face1")}, (0, 0, 0)) == {"pass_centre": "0,0,0"}
 
@@ -151,12 +151,12 @@ def face_at(obj, z):
 @pytest.fixture
 def pocketed(doc):
     """40 x 30 x 10 mm with upright edges rounded by 5 mm and a hole of 4 mm radius in its middle."""
-    made = doc.addObject("Part::Feature", "Pocketed")
+    result = doc.addObject("Part::Feature", "Pocketed")
     block = Part.makeBox(40, 30, 10)
     block = block.makeFillet(5, [one for one in block.Edges if abs(one.tangentAt(0).z) > 0.9])
-    made.Shape = block.cut(Part.makeCylinder(4, 10, FreeCAD.Vector(20, 15, 0)))
+    result.Shape = block.cut(Part.makeCylinder(4, 10, FreeCAD.Vector(20, 15, 0)))
     doc.recompute()
-    return made
+    return result
 
 
 def test_edges_lead_morphing_passes_as_their_points_do(doc):

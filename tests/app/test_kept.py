@@ -20,13 +20,13 @@ TESTS = Path(__file__).resolve().parents[1]
 @pytest.fixture
 def computed(anew, monkeypatch):
     """What the core has computed so far, by name; from earlier tests nothing is kept."""
-    said = []
+    message = []
     for module, name in ((job, "prove"), (study, "try_reach")):
         act = getattr(module, name)
         monkeypatch.setattr(
-            module, name, lambda *given, act=act, name=name: (said.append(name), act(*given))[1]
+            module, name, lambda *given, act=act, name=name: (message.append(name), act(*given))[1]
         )
-    return said
+    return message
 
 
 def test_the_same_is_computed_once_and_anything_else_is_computed(computed, kept, anew, doc, ball):

@@ -40,21 +40,21 @@ class Dialog:
             raise Cancelled("stopped")
 
 
-def in_python(told, freed):
+def in_python(reported, freed):
     """Work that says nothing and goes on step by step, until it is freed."""
     while not freed.is_set():
         sum(range(1000))
 
 
-def in_one_call(told, freed):
+def in_one_call(reported, freed):
     """Work that sits in one call until it is freed."""
     freed.wait(600)
 
 
-def talking(told, freed):
+def talking(reported, freed):
     """Work that says where it stands again and again, until it is freed."""
     while not freed.is_set():
-        told("step", 0.5)
+        reported("step", 0.5)
         time.sleep(0.01)
 
 
@@ -77,9 +77,9 @@ def test_without_a_window_nobody_listens():
 
 def test_the_innermost_listener_hears():
     heard = []
-    with long_work.reporting(lambda *told: heard.append(("outer", *told))):
+    with long_work.reporting(lambda *reported: heard.append(("outer", *reported))):
         with (
-            long_work.reporting(lambda *told: heard.append(("inner", *told))),
+            long_work.reporting(lambda *reported: heard.append(("inner", *reported))),
             long_work.listening() as listen,
         ):
             listen("a", 0.5)
@@ -88,12 +88,12 @@ def test_the_innermost_listener_hears():
 
 
 def test_a_listener_is_forgotten_after_an_error():
-    with pytest.raises(ValueError), long_work.reporting(lambda *told: None):
+    with pytest.raises(ValueError), long_work.reporting(lambda *reported: None):
         raise ValueError
     assert long_work.progress() is silent
 
 
-def test_the_work_is_told_stage_by_stage(doc, ball):
+def test_the_work_is_reported_stage_by_stage(doc, ball):
     heard = []
     with long_work.reporting(lambda stage, fraction: heard.append((stage, fraction))):
         path = app.create_toolpath(doc, ball, **FAST)
@@ -102,17 +102,17 @@ def test_the_work_is_told_stage_by_stage(doc, ball):
     assert all(0.0 <= fraction <= 1.0 for _, fraction in heard)
     heard.clear()
     path.Proxy.last = None
-    results.result_of(path, lambda *told: heard.append(told))
+    results.result_of(path, lambda *reported: heard.append(reported))
     assert heard and long_work.progress() is silent
 
 
-def test_the_core_works_in_a_thread_and_the_dialog_in_the_one_that_asked():
+def test_the_core_works_in_a_thread_and_the_dialog_in_the_one_that_requested():
     dialog, threads = Dialog(), set()
 
-    def work(told):
+    def work(reported):
         threads.add(threading.current_thread())
         for step in range(10):
-            told("weld", step / 10)
+            reported("weld", step / 10)
             time.sleep(0.05)
         return np.geterr()["over"]
 
@@ -122,14 +122,15 @@ def test_the_core_works_in_a_thread_and_the_dialog_in_the_one_that_asked():
     assert dialog.heard[-1] == ("weld", 0.9) and dialog.turns > 5
 
 
-def test_a_listener_without_a_window_is_told_in_the_same_thread():
+def test_a_listener_without_a_window_is_reported_in_the_same_thread():
     assert (
-        long_work.run(lambda told: threading.current_thread(), lambda *told: None) is threading.main_thread()
+        long_work.run(lambda reported: threading.current_thread(), lambda *reported: None)
+        is threading.main_thread()
     )
 
 
 def test_what_the_work_raises_reaches_the_caller():
-    def fail(told):
+    def fail(reported):
         raise MeshError("no facets", 0)
 
     with pytest.raises(MeshError, match="no facets"):
@@ -140,7 +141,7 @@ def test_what_the_work_raises_reaches_the_caller():
 def test_a_stop_gives_the_thread_back_while_the_work_goes_on(work, freed):
     """No work of these ends by itself: that this test comes to its end is the proof."""
     with pytest.raises(Cancelled):
-        long_work.run(lambda told: work(told, freed), Dialog(stop_after=10))
+        long_work.run(lambda reported: work(reported, freed), Dialog(stop_after=10))
     assert long_work.progress() is silent and not freed.is_set()
     assert bool(still_at_work()) == (work is in_one_call), "only what sits in one call is abandoned"
     freed.set()
@@ -157,7 +158,7 @@ def test_work_that_says_nothing_ends_by_a_stop_with_a_message_and_not_a_word_on_
     on_the_console = []
     monkeypatch.setattr(threading, "excepthook", on_the_console.append)
     for _ in range(20):
-        worker = long_work.Worker(lambda told: in_python(told, freed))
+        worker = long_work.Worker(lambda reported: in_python(reported, freed))
         worker.start()
         worker.stop()
         worker.join(60)
@@ -169,10 +170,10 @@ def test_work_that_says_nothing_ends_by_a_stop_with_a_message_and_not_a_word_on_
 def test_an_abandoned_worker_ends_after_its_call_and_goes_no_further(freed):
     went_on = []
 
-    def work(told):
+    def work(reported):
         freed.wait(600)
         went_on.append(1)
-        told("never", 1.0)
+        reported("never", 1.0)
         went_on.append(2)
 
     with pytest.raises(Cancelled):
@@ -187,7 +188,10 @@ def test_stopping_over_and_over_while_the_work_ends_does_no_harm():
     for _ in range(200):
         dialog = Dialog(stop_after=1)
         try:
-            assert long_work.run(lambda told: [told("a", 0.5), sum(range(20000))][1], dialog) == 199990000
+            assert (
+                long_work.run(lambda reported: [reported("a", 0.5), sum(range(20000))][1], dialog)
+                == 199990000
+            )
         except Cancelled:
             assert dialog.turns
     assert not still_at_work()
@@ -232,7 +236,7 @@ def test_a_document_that_is_closed_under_the_work_stops_it(doc, ball):
 @pytest.mark.parametrize(
     "make", [app.create_toolpath, lambda doc, ball, **_: app.setup_map(doc.Toolpath)], ids=["path", "map"]
 )
-def test_what_was_being_made_goes_with_a_document_that_is_closed(doc, ball, make):
+def test_what_was_being_built_goes_with_a_document_that_is_closed(doc, ball, make):
     app.create_toolpath(doc, ball, **FAST)
     name = doc.Name
     dialog = Dialog(0.0, then=lambda: name in FreeCAD.listDocuments() and FreeCAD.closeDocument(name))

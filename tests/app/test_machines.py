@@ -17,10 +17,10 @@ from freecad_fiveaxis.core.machine.machine_file import machine_folder
 @pytest.fixture
 def folder(tmp_path):
     """The user's machine folder, empty."""
-    made = tmp_path / "mine"
-    made.mkdir()
-    preferences.write("MachineFolder", str(made))
-    yield made
+    result = tmp_path / "mine"
+    result.mkdir()
+    preferences.write("MachineFolder", str(result))
+    yield result
     preferences.reset()
 
 

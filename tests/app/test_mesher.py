@@ -20,8 +20,8 @@ def meshed(folder, path, named="", linear=solids.LINEAR):
     (folder / solids.TASK).write_text(json.dumps(task))
     (folder / solids.MESH).unlink() if (folder / solids.MESH).exists() else None
     mesher.main(str(folder))
-    made = json.loads((folder / solids.OUTCOME).read_text())
-    return made, Mesh.Mesh(str(folder / solids.MESH)) if (folder / solids.MESH).exists() else None
+    result = json.loads((folder / solids.OUTCOME).read_text())
+    return result, Mesh.Mesh(str(folder / solids.MESH)) if (folder / solids.MESH).exists() else None
 
 
 @pytest.fixture
@@ -51,8 +51,8 @@ def test_step_and_brep_are_meshed_within_the_deflection(tmp_path):
     ball.exportStep(str(tmp_path / "ball.step"))
     ball.exportBrep(str(tmp_path / "ball.brep"))
     for ending in ("step", "brep"):
-        made, mesh = meshed(tmp_path, tmp_path / f"ball.{ending}", linear=0.05)
-        assert made == {"facets": mesh.CountFacets} and mesh.isSolid()
+        result, mesh = meshed(tmp_path, tmp_path / f"ball.{ending}", linear=0.05)
+        assert result == {"facets": mesh.CountFacets} and mesh.isSolid()
         centres = [facet.InCircle[0] for facet in mesh.Facets]
         assert all(
             10 - 3 * 0.05 < (centre[0] ** 2 + centre[1] ** 2 + centre[2] ** 2) ** 0.5 < 10.001
@@ -63,13 +63,13 @@ def test_step_and_brep_are_meshed_within_the_deflection(tmp_path):
 
 def test_of_a_document_the_solid_that_is_named_stands_where_it_stands(tmp_path, jig):
     for named in ("Blade 2", "Cut"):
-        made, mesh = meshed(tmp_path, jig, named)
+        result, mesh = meshed(tmp_path, jig, named)
         assert mesh.BoundBox.XMin == pytest.approx(100) and mesh.Volume == pytest.approx(
             20 * 16 * 12 - 5 * 5 * 12
         )
     for named in ("", "Nobody"):
-        made, mesh = meshed(tmp_path, jig, named)
-        assert mesh is None and "Blade 2" in made["error"] and "Pin" in made["error"], (
+        result, mesh = meshed(tmp_path, jig, named)
+        assert mesh is None and "Blade 2" in result["error"] and "Pin" in result["error"], (
             "neither box is: the cut is made of them"
         )
     assert not FreeCAD.listDocuments() or all(
@@ -81,8 +81,8 @@ def test_a_file_that_holds_no_solid_says_so(tmp_path):
     Part.makePlane(5, 5).exportStep(str(tmp_path / "plane.step"))
     assert "no solid" in meshed(tmp_path, tmp_path / "plane.step")[0]["error"]
     (tmp_path / "spoilt.step").write_text("nothing")
-    made, mesh = meshed(tmp_path, tmp_path / "spoilt.step")
-    assert mesh is None and made["error"]
+    result, mesh = meshed(tmp_path, tmp_path / "spoilt.step")
+    assert mesh is None and result["error"]
 
 
 def test_the_words_of_both_sides_are_the_same():

@@ -66,7 +66,7 @@ def scattered():
 @pytest.mark.parametrize("make", [lambda: rounded((1 / 3, 0, 0)), spline, pipe, inside_out, scattered])
 def test_the_mesh_of_the_process_is_the_same_to_the_last_bit(make, monkeypatch):
     shape = make()
-    here, counts = meshing.mesh_shape(shape, 0.02, 0.2, lambda *told: None)
+    here, counts = meshing.mesh_shape(shape, 0.02, 0.2, lambda *reported: None)
     monkeypatch.setattr(meshing, "QUICK", 0)
     monkeypatch.setattr(meshing.mesher, "solid_mesh", None)  # nothing is meshed here
     beside, again = meshing.mesh_shape(shape, 0.02, 0.2, Dialog())
@@ -81,15 +81,15 @@ def test_a_small_solid_is_meshed_here(monkeypatch):
     assert meshing.mesh_shape(Part.makeSphere(20), 0.05, 0.2, Dialog())[0].CountFacets > 500
 
 
-def test_what_is_expected_is_about_what_is_made():
+def test_what_is_expected_is_about_what_is_built():
     for shape in (Part.makeSphere(20), Part.makeCylinder(5, 5), rounded((0, 0, 0)), Part.makeTorus(20, 5)):
-        made = meshing.mesh_shape(shape, 0.02, 0.2, lambda *told: None)[0].CountFacets
-        assert 0.5 * made < meshing.estimate_facets(shape, 0.02, 0.2) < 20 * made
+        result = meshing.mesh_shape(shape, 0.02, 0.2, lambda *reported: None)[0].CountFacets
+        assert 0.5 * result < meshing.estimate_facets(shape, 0.02, 0.2) < 20 * result
 
 
 def test_an_invalid_solid_is_refused_by_the_process_too(doc, monkeypatch):
-    def refused(told):
-        with pytest.raises(SelectionError, match="invalid"), long_work.reporting(told):
+    def refused(reported):
+        with pytest.raises(SelectionError, match="invalid"), long_work.reporting(reported):
             app.tessellate(obj)
 
     sheet = Part.makePolygon(
@@ -101,7 +101,7 @@ def test_an_invalid_solid_is_refused_by_the_process_too(doc, monkeypatch):
     from freecad_fiveaxis.app import selection
 
     monkeypatch.setattr(selection, "CHECKED", 0)
-    refused(lambda *told: None)
+    refused(lambda *reported: None)
     monkeypatch.setattr(meshing, "QUICK", 0)
     refused(Dialog())
     assert [one.Name for one in doc.Objects] == ["Twisted"]

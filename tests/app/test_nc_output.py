@@ -45,7 +45,7 @@ def test_a_users_file_is_left_alone(toolpath, tmp_path):
     ]
 
 
-def test_a_users_file_is_replaced_where_asked(toolpath, tmp_path):
+def test_a_users_file_is_replaced_where_requested(toolpath, tmp_path):
     path = tmp_path / "mine.ngc"
     path.write_text("old")
     app.post_process(toolpath, path, overwrite=True)
@@ -147,7 +147,7 @@ def test_out_of_date_says_why_at_any_time(toolpath, tmp_path):
     assert "deleted" in out_of_date(obj)
 
 
-def test_a_folder_that_cannot_be_written_is_said_before_the_long_work(toolpath, tmp_path, monkeypatch):
+def test_a_folder_that_cannot_be_written_is_stated_before_the_long_work(toolpath, tmp_path, monkeypatch):
     monkeypatch.setattr("freecad_fiveaxis.app.results.nc_of", lambda *_: pytest.fail("worked for nothing"))
     closed = "/proc"  # where nobody writes, root neither
     if os.geteuid():

@@ -38,9 +38,9 @@ def test_a_foreseen_error_has_no_trace_and_one_that_nobody_foresaw_keeps_it():
 
 
 def test_the_error_is_the_same_in_kind_in_words_and_in_value():
-    with pytest.raises(SelectionError, match="was deleted") as told:
+    with pytest.raises(SelectionError, match="was deleted") as reported:
         Failing(SelectionError("The part was deleted.", 7)).execute(None)
-    assert told.value.value == 7 and told.value.text == "The part was deleted."
+    assert reported.value.value == 7 and reported.value.text == "The part was deleted."
 
 
 @pytest.mark.parametrize("before", [None, 5])

@@ -61,7 +61,7 @@ def test_what_is_written_is_read_in_the_units_of_the_core(tmp_path):
     assert preferences.colour_good() == pytest.approx((0.2, 0.4, 0.8))
 
 
-def test_colours_are_told_apart():
+def test_colours_are_distinguished():
     colours = [preferences.colour_good(), preferences.colour_bad(), preferences.colour_singular()]
     assert all(0 <= part <= 1 for colour in colours for part in colour)
     assert min(math.dist(colours[i], colours[i - 1]) for i in range(3)) > 0.4
@@ -94,18 +94,18 @@ def test_a_key_that_is_not_ours_is_refused(call):
 def test_the_form_has_a_widget_for_every_key_with_the_same_default():
     widgets = {widget.get("name"): widget for widget in ET.parse(FORM).iter("widget")}
     for key, default in preferences.DEFAULTS.items():
-        told = {one.get("name"): one for one in widgets[key].findall("property")}
+        reported = {one.get("name"): one for one in widgets[key].findall("property")}
         if widgets[key].get("class").startswith("Gui::"):
-            assert told["prefEntry"].findtext("cstring") == key
+            assert reported["prefEntry"].findtext("cstring") == key
             assert (
-                "BaseApp/Preferences/" + told["prefPath"].findtext("cstring")
+                "BaseApp/Preferences/" + reported["prefPath"].findtext("cstring")
                 == preferences.GROUP.split(":")[1]
             )
         if isinstance(default, float):
             a_minute = 60 if key == "Feed" else 1
-            assert float(told["value"].findtext("double")) == pytest.approx(default * a_minute, rel=1e-12)
+            assert float(reported["value"].findtext("double")) == pytest.approx(default * a_minute, rel=1e-12)
         elif key == "Processes":
-            assert int(told["value"].findtext("number")) == default
+            assert int(reported["value"].findtext("number")) == default
         elif isinstance(default, int):
-            rgb = [int(told["color"].find("color").findtext(part)) for part in ("red", "green", "blue")]
+            rgb = [int(reported["color"].find("color").findtext(part)) for part in ("red", "green", "blue")]
             assert rgb == [default >> 24, default >> 16 & 255, default >> 8 & 255]

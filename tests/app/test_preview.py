@@ -27,8 +27,8 @@ def test_a_solid_and_its_path_have_the_same_passes_and_the_document_stays(doc, b
         and (again.polyline == found.polyline).all()
         and again.passes == path.Passes
     )
-    made = results.result_of(path).draft.path
-    cut = made.contact[made.motion == Motion.CUT]
+    result = results.result_of(path).draft.path
+    cut = result.contact[result.motion == Motion.CUT]
     assert cKDTree(again.point).query(cut)[0].max() < 1e-6, (
         "each contact is where a pass crosses an edge of a facet"
     )

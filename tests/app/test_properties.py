@@ -62,8 +62,8 @@ def test_the_defaults_are_the_cores_to_the_last_bit(path):
 
 
 def test_an_audits_defaults_too(doc, tmp_path):
-    made = auditing.make(doc, str(tmp_path / "x.ngc"), {"machine": "mikron_ucp710"}, {})
-    assert convert.settings_of(made, AUDIT, "x") == build_settings(AUDIT, "x", {"machine": "mikron_ucp710"})
+    result = auditing.make(doc, str(tmp_path / "x.ngc"), {"machine": "mikron_ucp710"}, {})
+    assert convert.settings_of(result, AUDIT, "x") == build_settings(AUDIT, "x", {"machine": "mikron_ucp710"})
 
 
 GIVEN = {
@@ -250,13 +250,15 @@ def test_the_tool_that_is_drawn_is_the_body_that_is_checked(path, text):
 
 def test_an_audit_draws_shank_and_holder_too(doc, tmp_path):
     (tmp_path / "x.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
-    made = app.audit(
+    result = app.audit(
         doc, tmp_path / "x.ngc", "trunnion_ac", cutter="bull:10:2", holder="2inx1in", shank="8x20"
     )
-    assert (made.Holder, made.Shank, made.CutterKind) == ("50.8x25.4", "8x20", "bull") and made.State == [
-        "Up-to-date"
-    ]
-    assert convert.tool_of(made).body == body_of(Cutter(10.0, corner=2.0), [(8, 20)], [(50.8, 25.4)])
+    assert (result.Holder, result.Shank, result.CutterKind) == (
+        "50.8x25.4",
+        "8x20",
+        "bull",
+    ) and result.State == ["Up-to-date"]
+    assert convert.tool_of(result).body == body_of(Cutter(10.0, corner=2.0), [(8, 20)], [(50.8, 25.4)])
 
 
 def test_macros_may_give_the_holder_as_one_cylinder(doc, ball):

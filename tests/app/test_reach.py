@@ -52,49 +52,52 @@ def floor(obj):
 def test_the_holder_keeps_the_tool_from_the_floor_of_a_slot_that_is_narrower_than_it(doc, slot):
     """A tool that sticks out 20 mm does not get to the floor 30 mm deep below a holder of 40 mm, save beside
     the open ends, where it leans out; and near the walls not even the ball does."""
-    made = app.reach_map(floor(slot), **TOOL)
+    result = app.reach_map(floor(slot), **TOOL)
     whole = 14.0 * 160.0
-    assert made.WholeArea.Value == pytest.approx(whole)
-    held, tight = made.HolderInTheWay.Value, made.TighterThanCutter.Value
+    assert result.WholeArea.Value == pytest.approx(whole)
+    held, tight = result.HolderInTheWay.Value, result.TighterThanCutter.Value
     ends = 2 * 14.0 * 25.0
     assert whole - ends - 2 * 3.5 * 160.0 < held <= whole - 2 * 2.0 * 160.0 + 1.0
     assert tight == pytest.approx(
         2 * 3.0 * 160.0, rel=0.4
-    ) and made.ReachableArea.Value + held + tight == pytest.approx(whole)
-    assert made.StickOut.Value == 30.0 - 20.0 and made.StickOutArea.Value >= reach.ENOUGH * held
-    assert "stick out 10 mm farther and it reaches" in made.Advice and "mm²" in made.Advice
-    assert "holder in the way" in made.Verdict and made.ReachableShare == pytest.approx(
-        100 * made.ReachableArea.Value / whole
+    ) and result.ReachableArea.Value + held + tight == pytest.approx(whole)
+    assert result.StickOut.Value == 30.0 - 20.0 and result.StickOutArea.Value >= reach.ENOUGH * held
+    assert "stick out 10 mm farther and it reaches" in result.Advice and "mm²" in result.Advice
+    assert "holder in the way" in result.Verdict and result.ReachableShare == pytest.approx(
+        100 * result.ReachableArea.Value / whole
     )
-    assert made.State == ["Up-to-date"] and made.UpToDate and not reach.out_of_date(made)
+    assert result.State == ["Up-to-date"] and result.UpToDate and not reach.out_of_date(result)
 
 
 def test_the_stick_out_that_is_named_frees_nine_tenths_of_what_the_holder_held(slot):
-    made = app.reach_map(floor(slot), **TOOL)
-    held = made.HolderInTheWay.Value
-    longer = app.reach_map(made.Mesh, **TOOL, shank=f"6x{made.StickOut.Value}")
+    result = app.reach_map(floor(slot), **TOOL)
+    held = result.HolderInTheWay.Value
+    longer = app.reach_map(result.Mesh, **TOOL, shank=f"6x{result.StickOut.Value}")
     assert longer.HolderInTheWay.Value <= (1.0 - reach.ENOUGH) * held + 1.0
-    shorter = app.reach_map(made.Mesh, **TOOL, shank="6x5")
+    shorter = app.reach_map(result.Mesh, **TOOL, shank="6x5")
     assert shorter.HolderInTheWay.Value > (1.0 - reach.ENOUGH) * held
 
 
 def test_the_numbers_are_those_of_the_command_line(slot, tmp_path):
     file, report = tmp_path / "slot.stl", tmp_path / "reach.json"
     mesh = app.tessellate(slot, file)
-    made = app.reach_map(mesh, **TOOL)
+    result = app.reach_map(mesh, **TOOL)
     assert cli.main(["reach", str(file), "--machine", "trunnion_ac", "--cutter", "ball:6:20", "--holder", "40x30", "--tolerance",
                      "0.02", "--report", str(report), "--quiet"]) == 0  # fmt: skip
-    told = json.loads(report.read_text(encoding="utf-8"))["summary"]
-    assert made.WholeArea.Value == told["area"] and made.ReachableArea.Value == told["reachable_area"]
-    assert made.ReachableShare == pytest.approx(100.0 * told["reachable_share"], rel=1e-12)
+    reported = json.loads(report.read_text(encoding="utf-8"))["summary"]
+    assert (
+        result.WholeArea.Value == reported["area"]
+        and result.ReachableArea.Value == reported["reachable_area"]
+    )
+    assert result.ReachableShare == pytest.approx(100.0 * reported["reachable_share"], rel=1e-12)
     keys = {"TighterThanCutter": "tighter_than_cutter", "BeyondMachine": "beyond_machine", "BelowTable": "below_table",
             "ShankInTheWay": "shank", "HolderInTheWay": "holder"}  # fmt: skip
-    assert {name: getattr(made, name).Value for name in keys} == {
-        name: told["by_reason"][key] for name, key in keys.items()
+    assert {name: getattr(result, name).Value for name in keys} == {
+        name: reported["by_reason"][key] for name, key in keys.items()
     }
-    assert {"longer": made.StickOut.Value, "area": made.StickOutArea.Value} in told["stick_out"]
+    assert {"longer": result.StickOut.Value, "area": result.StickOutArea.Value} in reported["stick_out"]
     other = app.reach_map(mesh, **{**TOOL, "cutter": "ball:6:30"})
-    assert other.HolderInTheWay.Value != told["by_reason"]["holder"], "another tool has other numbers"
+    assert other.HolderInTheWay.Value != reported["by_reason"]["holder"], "another tool has other numbers"
 
 
 def test_a_toolpath_gives_its_machine_tool_part_and_fixtures(doc, slot):
@@ -143,46 +146,46 @@ def test_an_axis_that_may_lean_less_reaches_less(slot):
 
 
 def test_the_map_follows_its_part_and_says_when_it_is_old(doc, slot):
-    made = app.reach_map(slot, **TOOL)
-    before = made.HolderInTheWay.Value
-    made.Holder = ""
-    assert "recompute" in reach.out_of_date(made)
+    result = app.reach_map(slot, **TOOL)
+    before = result.HolderInTheWay.Value
+    result.Holder = ""
+    assert "recompute" in reach.out_of_date(result)
     doc.recompute()
     assert (
-        not reach.out_of_date(made)
-        and made.HolderInTheWay.Value == 0.0 < before
-        and "stick out" not in made.Advice
+        not reach.out_of_date(result)
+        and result.HolderInTheWay.Value == 0.0 < before
+        and "stick out" not in result.Advice
     )
     slot.Shape = slot_shape(80.0)
     doc.recompute()
-    assert made.UpToDate and made.WholeArea.Value == pytest.approx(slot.Shape.Area, rel=1e-5)
+    assert result.UpToDate and result.WholeArea.Value == pytest.approx(slot.Shape.Area, rel=1e-5)
 
 
-def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_asked(slot, reopen, anew):
-    made = app.reach_map(floor(slot), **TOOL, work_zero=(1, 2, 3), largest_axis_angle=120)
+def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_requested(slot, reopen, anew):
+    result = app.reach_map(floor(slot), **TOOL, work_zero=(1, 2, 3), largest_axis_angle=120)
     kept = {
-        name: made.getPropertyByName(name)
+        name: result.getPropertyByName(name)
         for name in ("Verdict", "Advice", "UpToDate", "Fingerprint", "LargestAxisAngle")
     }
-    areas = {name: getattr(made, name).Value for name in reach.AREAS.values()}
-    places = reach.find_map(made).chart.obstacle
+    areas = {name: getattr(result, name).Value for name in reach.AREAS.values()}
+    places = reach.find_map(result).chart.obstacle
     anew()
-    made = reopen(slot.Document).ReachMap
-    assert made.Proxy.last is None and {name: made.getPropertyByName(name) for name in kept} == kept
-    assert {name: getattr(made, name).Value for name in areas} == pytest.approx(areas, rel=1e-12)
-    assert reach.out_of_date(made) == ""
-    np.testing.assert_array_equal(reach.find_map(made).chart.obstacle, places)
+    result = reopen(slot.Document).ReachMap
+    assert result.Proxy.last is None and {name: result.getPropertyByName(name) for name in kept} == kept
+    assert {name: getattr(result, name).Value for name in areas} == pytest.approx(areas, rel=1e-12)
+    assert reach.out_of_date(result) == ""
+    np.testing.assert_array_equal(reach.find_map(result).chart.obstacle, places)
 
 
-def test_a_deleted_solid_and_a_deleted_mesh_are_told(doc, slot):
-    made = app.reach_map(floor(slot), **TOOL)
+def test_a_deleted_solid_and_a_deleted_mesh_are_reported(doc, slot):
+    result = app.reach_map(floor(slot), **TOOL)
     doc.removeObject("Slot")
-    assert "was deleted" in reach.out_of_date(made)
+    assert "was deleted" in reach.out_of_date(result)
     doc.recompute()
-    assert not made.UpToDate or "Invalid" in made.Mesh.State
-    doc.removeObject(made.Mesh.Name)
+    assert not result.UpToDate or "Invalid" in result.Mesh.State
+    doc.removeObject(result.Mesh.Name)
     doc.recompute()
-    assert "Invalid" in made.State and "was deleted" in made.getStatusString() and not made.UpToDate
+    assert "Invalid" in result.State and "was deleted" in result.getStatusString() and not result.UpToDate
 
 
 def test_what_cannot_be_leaves_nothing_behind(anew, doc, slot):

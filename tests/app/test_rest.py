@@ -47,22 +47,22 @@ def test_a_ball_leaves_the_bottom_of_a_groove_that_is_too_narrow_for_it(doc, gro
     """A ball of radius R in a V of half angle a stays R (1 / sin a - 1) away from its bottom, where it enters
     neither wall."""
     path = app.create_toolpath(doc, top(groove), **GROOVE, gouge="lift")
-    made = app.left_map(path)
-    assert made.LargestUndercut.Value == pytest.approx(
+    outcome = app.left_map(path)
+    assert outcome.LargestUndercut.Value == pytest.approx(
         5.0 * (np.sqrt(2.0) - 1.0), rel=0.12
     )  # samples lie beside the bottom
-    assert made.LargestOvercut.Value <= 0.02 and made.OvercutArea.Value == 0.0
+    assert outcome.LargestOvercut.Value <= 0.02 and outcome.OvercutArea.Value == 0.0
     bare = np.sqrt(
-        (5.0 + made.Allowed.Value) ** 2 - 5.0**2
+        (5.0 + outcome.Allowed.Value) ** 2 - 5.0**2
     )  # from where the ball touches to where more than allowed is left
-    assert made.UncutArea.Value == pytest.approx(2.0 * (5.0 - bare) * 16.0, rel=0.03)
-    assert "is left, at most" in made.Verdict and made.State == ["Up-to-date"] and made.UpToDate
+    assert outcome.UncutArea.Value == pytest.approx(2.0 * (5.0 - bare) * 16.0, rel=0.03)
+    assert "is left, at most" in outcome.Verdict and outcome.State == ["Up-to-date"] and outcome.UpToDate
 
 
 def test_a_ball_that_is_not_lifted_cuts_the_other_wall(doc, groove):
-    made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, **UNCURED))
-    assert made.LargestOvercut.Value > 0.5 and made.OvercutArea.Value > 10.0
-    assert "cut too deep, at most by" in made.Verdict
+    outcome = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, **UNCURED))
+    assert outcome.LargestOvercut.Value > 0.5 and outcome.OvercutArea.Value > 10.0
+    assert "cut too deep, at most by" in outcome.Verdict
 
 
 def test_the_map_is_that_of_the_core(anew, doc, groove, tmp_path):
@@ -70,26 +70,26 @@ def test_the_map_is_that_of_the_core(anew, doc, groove, tmp_path):
     mesh = app.tessellate(groove, file)
     wanted = job.run(build_settings("mill", file, {**GROOVE, "rest": "on"})).rest
     for settings in (GROOVE, {**GROOVE, "rest": "on"}):
-        made = app.left_map(app.create_toolpath(doc, mesh, **settings))
-        found = rest.heights_of(made).rest
+        outcome = app.left_map(app.create_toolpath(doc, mesh, **settings))
+        found = rest.heights_of(outcome).rest
         np.testing.assert_array_equal(found.height, wanted.height)
         np.testing.assert_array_equal(found.point, wanted.point)
-    assert results.result_of(made.Path).rest is found, "the path's own map is found a second time"
-    assert made.MachinedArea.Value == pytest.approx(wanted.area.sum())
+    assert results.result_of(outcome.Path).rest is found, "the path's own map is found a second time"
+    assert outcome.MachinedArea.Value == pytest.approx(wanted.area.sum())
 
 
 def test_a_path_has_one_map_that_follows_it(doc, groove):
     path = app.create_toolpath(doc, top(groove), **GROOVE, gouge="lift")
-    made = app.left_map(path)
-    assert app.left_map(path) is made is rest.of(path)
-    before = made.LargestUndercut.Value
+    outcome = app.left_map(path)
+    assert app.left_map(path) is outcome is rest.of(path)
+    before = outcome.LargestUndercut.Value
     path.CutterDiameter = 4
-    assert "recompute" in rest.out_of_date(made)
+    assert "recompute" in rest.out_of_date(outcome)
     doc.recompute()
-    assert rest.out_of_date(made) == "" and made.LargestUndercut.Value < 0.6 * before
+    assert rest.out_of_date(outcome) == "" and outcome.LargestUndercut.Value < 0.6 * before
     path.Machine = "no_such_machine"
     doc.recompute()
-    assert not made.UpToDate and rest.out_of_date(made)
+    assert not outcome.UpToDate and rest.out_of_date(outcome)
 
 
 def test_documents_and_macros_of_earlier_versions_find_what_they_name(doc, groove):
@@ -101,9 +101,12 @@ def test_documents_and_macros_of_earlier_versions_find_what_they_name(doc, groov
         path.Proxy.last.result.draft.settings.gouge.rest == "on"
         and convert.options_of(path, MILL)["rest"] == "on"
     )
-    made = app.left_map(path)
-    assert f"{type(made.Proxy).__module__}.{type(made.Proxy).__name__}" == "freecad_fiveaxis.app.left.LeftMap"
-    assert left.heights_of(made).left is rest.heights_of(made).rest
+    outcome = app.left_map(path)
+    assert (
+        f"{type(outcome.Proxy).__module__}.{type(outcome.Proxy).__name__}"
+        == "freecad_fiveaxis.app.left.LeftMap"
+    )
+    assert left.heights_of(outcome).left is rest.heights_of(outcome).rest
 
 
 def test_an_option_under_both_its_names_makes_no_path(doc, groove):
@@ -112,15 +115,15 @@ def test_an_option_under_both_its_names_makes_no_path(doc, groove):
     assert [obj.Name for obj in doc.Objects] == ["Groove"]
 
 
-def test_a_reopened_map_keeps_its_numbers_and_finds_its_heights_when_asked(doc, groove, reopen, anew):
-    made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, work_zero=(1, 2, 3)))
+def test_a_reopened_map_keeps_its_numbers_and_finds_its_heights_when_requested(doc, groove, reopen, anew):
+    outcome = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, work_zero=(1, 2, 3)))
     numbers = (
-        made.LargestUndercut.Value,
-        made.LargestOvercut.Value,
-        made.UncutArea.Value,
-        made.MachinedArea.Value,
+        outcome.LargestUndercut.Value,
+        outcome.LargestOvercut.Value,
+        outcome.UncutArea.Value,
+        outcome.MachinedArea.Value,
     )
-    height = rest.heights_of(made).rest.height
+    height = rest.heights_of(outcome).rest.height
     anew()
     again = reopen(doc).LeftMap
     kept = (
@@ -162,14 +165,14 @@ def test_stopped_work_leaves_nothing_behind(anew, doc, groove):
     assert [one.Name for one in doc.Objects] == names and path.State == ["Up-to-date"]
 
 
-def test_a_map_without_a_path_is_told(doc, groove):
-    made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE))
-    doc.removeObject(made.Path.Name)
+def test_a_map_without_a_path_is_reported(doc, groove):
+    outcome = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE))
+    doc.removeObject(outcome.Path.Name)
     doc.recompute()
     assert (
-        "Invalid" in made.State
-        and "was deleted" in made.getStatusString()
-        and "was deleted" in rest.out_of_date(made)
+        "Invalid" in outcome.State
+        and "was deleted" in outcome.getStatusString()
+        and "was deleted" in rest.out_of_date(outcome)
     )
 
 
@@ -216,8 +219,8 @@ def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is
     }
     (first, *_) = [one for one in result.findings if one.code == "holder-collision"]
     assert first.place[0] >= 20.0 - 1e-6 and first.value > 1.0, "the wall beyond x = 20 stops the holder"
-    made = app.left_map(path)
-    assert made.MachinedArea.Value == pytest.approx(2 * 20.0 * 30.0, rel=1e-6)
+    outcome = app.left_map(path)
+    assert outcome.MachinedArea.Value == pytest.approx(2 * 20.0 * 30.0, rel=1e-6)
     assert set(result.rest.facet) == set(np.flatnonzero(keep))
     slim = app.create_toolpath(doc, (step, chosen), **{**FACES, "cutter": "ball:6:60"})
     assert not [one for one in results.result_of(slim).findings if one.code == "holder-collision"]
@@ -231,6 +234,6 @@ def test_the_cutter_itself_is_checked_against_the_wall_that_is_not_selected(doc,
     assert deep and 1.0 < deep[0].value <= 3.0 and deep[0].place[0] >= 20.0 - 1e-6
     cured = app.create_toolpath(doc, (step, (face_at(step, z=10.0),)), **{**settings, "gouge": "leave-out"})
     assert not [one for one in results.result_of(cured).findings if one.code == "overcut"]
-    made = app.left_map(cured)
-    assert made.MachinedArea.Value == pytest.approx(20.0 * 30.0, rel=1e-6)
-    assert made.UncutArea.Value > 0.0, "beside the wall a ball leaves a fillet"
+    outcome = app.left_map(cured)
+    assert outcome.MachinedArea.Value == pytest.approx(20.0 * 30.0, rel=1e-6)
+    assert outcome.UncutArea.Value > 0.0, "beside the wall a ball leaves a fillet"

@@ -46,7 +46,7 @@ def suspected(path):
     return any(one.code == "unit-suspected" for one in results.figures_of(path).findings)
 
 
-def test_a_solid_in_metres_is_milled_a_thousand_times_as_large_where_it_stood(doc, held):
+def test_a_solid_in_metres_is_milled_a_thousand_times_as_large_where_it_was(doc, held):
     path = app.create_toolpath(doc, held, faces=("Face6",), work_zero=(0.01, 0.0, 0.54), **OPTIONS)
     assert suspected(path)
     before, runs = corners(path), list(path.Mesh.FacetRuns)

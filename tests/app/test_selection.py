@@ -96,7 +96,7 @@ def bad_shapes(doc):
     yield doc.addObject("PartDesign::Body", "Body"), "no solid"
 
 
-def test_other_shapes_are_told_what_to_select_instead(doc):
+def test_other_shapes_are_shown_what_to_select_instead(doc):
     for obj, says in bad_shapes(doc):
         count = len(doc.Objects)
         for act in (
@@ -104,13 +104,13 @@ def test_other_shapes_are_told_what_to_select_instead(doc):
             lambda obj=obj: app.create_toolpath(doc, obj),
             lambda obj=obj: app.tessellate(obj),
         ):
-            with pytest.raises(SelectionError, match=says) as told:
+            with pytest.raises(SelectionError, match=says) as reported:
                 act()
-            assert obj.Label in str(told.value) and WHAT in str(told.value)
+            assert obj.Label in str(reported.value) and WHAT in str(reported.value)
         assert len(doc.Objects) == count
 
 
-def test_an_invalid_solid_is_told(doc):
+def test_an_invalid_solid_is_reported(doc):
     square = [
         FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 10, 0), (10, 0, 0), (0, 10, 0), (0, 0, 0))
     ]  # crosses itself
@@ -120,7 +120,7 @@ def test_an_invalid_solid_is_told(doc):
         app.create_toolpath(doc, feature(doc, shape))
 
 
-def test_an_empty_mesh_is_told(doc):
+def test_an_empty_mesh_is_reported(doc):
     with pytest.raises(SelectionError, match="Blank is an empty mesh"):
         app.create_toolpath(doc, doc.addObject("Mesh::Feature", "Blank"))
 
@@ -154,12 +154,12 @@ def test_faces_are_known_again_on_the_solids_of_a_compound(doc):
         app.create_toolpath(doc, (compound, ["Face99"]))
 
 
-def test_faces_of_a_mesh_are_told(doc, dome):
+def test_faces_of_a_mesh_are_reported(doc, dome):
     with pytest.raises(SelectionError, match="has no faces to choose"):
         app.create_toolpath(doc, dome, faces=("Face1",))
 
 
-def test_a_base_of_another_document_is_told(doc, ball):
+def test_a_base_of_another_document_is_reported(doc, ball):
     other = FreeCAD.newDocument("Other")
     try:
         with pytest.raises(SelectionError, match="another document"):

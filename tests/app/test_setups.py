@@ -23,50 +23,50 @@ def path(doc, ball):
 
 
 def test_the_map_says_where_to_clamp_and_applying_it_lowers_the_deviation(path):
-    made = app.setup_map(path, **SMALL)
+    result = app.setup_map(path, **SMALL)
     before = path.MaxSegmentDeviation.Value
-    assert made.DeviationBefore.Value == pytest.approx(before, abs=1e-9)
-    assert made.DeviationAfter.Value < 0.5 * before and made.UpToDate
-    assert made.Kinds[:2] == ["setup-best", "setup-present"] and len(made.Places) == 2 + 18
-    assert tuple(made.Places[1]) == pytest.approx((0, 0, 40))  # where the work zero is drawn
-    best, present = made.Recommended, made.Centre
-    assert tuple(made.Places[0] - made.Places[1]) == pytest.approx(tuple(best - present))
-    app.apply_setup(made)
+    assert result.DeviationBefore.Value == pytest.approx(before, abs=1e-9)
+    assert result.DeviationAfter.Value < 0.5 * before and result.UpToDate
+    assert result.Kinds[:2] == ["setup-best", "setup-present"] and len(result.Places) == 2 + 18
+    assert tuple(result.Places[1]) == pytest.approx((0, 0, 40))  # where the work zero is drawn
+    best, present = result.Recommended, result.Centre
+    assert tuple(result.Places[0] - result.Places[1]) == pytest.approx(tuple(best - present))
+    app.apply_setup(result)
     assert tuple(path.Origin) == pytest.approx(tuple(best)) and not path.OriginFromMachine
-    assert path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9)
-    assert made.UpToDate, "the map is of the same path about the same centre"
+    assert path.MaxSegmentDeviation.Value == pytest.approx(result.DeviationAfter.Value, abs=1e-9)
+    assert result.UpToDate, "the map is of the same path about the same centre"
 
 
 def test_a_map_survives_and_is_out_of_date_only_when_its_path_is_another(path, reopen):
-    made = app.setup_map(path, **SMALL, turns=1)
+    result = app.setup_map(path, **SMALL, turns=1)
     kept = {
-        name: made.getPropertyByName(name)
+        name: result.getPropertyByName(name)
         for name in ("Verdict", "Kinds", "Deviations", "Fingerprint", "UpToDate")
     }
     doc = reopen(path.Document)
-    made = doc.SetupMap
-    assert {name: made.getPropertyByName(name) for name in kept} == kept and made.Proxy.last is None
+    result = doc.SetupMap
+    assert {name: result.getPropertyByName(name) for name in kept} == kept and result.Proxy.last is None
     doc.Toolpath.Spindle = 5000  # is nothing to a setup
     doc.recompute()
-    assert made.UpToDate and made.Proxy.last is None
+    assert result.UpToDate and result.Proxy.last is None
     doc.Toolpath.Stepover = 7
     doc.recompute()
-    assert not made.UpToDate and made.Proxy.last is None, "a change of the path tries no setups"
+    assert not result.UpToDate and result.Proxy.last is None, "a change of the path tries no setups"
     with pytest.raises(SelectionError, match="try the setups again"):
-        app.apply_setup(made)
-    made.Region = (20, 0, 0)
+        app.apply_setup(result)
+    result.Region = (20, 0, 0)
     doc.recompute()
-    assert made.UpToDate and len(made.Places) < len(kept["Kinds"])
+    assert result.UpToDate and len(result.Places) < len(kept["Kinds"])
 
 
 @pytest.fixture
 def jaw(doc):
     """A block 5 mm beside the half ball, as high as half of it."""
-    made = doc.addObject("Part::Box", "Jaw")
-    made.Length, made.Width, made.Height = 20, 40, 10
-    made.Placement.Base = (25, -20, 0)
+    result = doc.addObject("Part::Box", "Jaw")
+    result.Length, result.Width, result.Height = 20, 40, 10
+    result.Placement.Base = (25, -20, 0)
     doc.recompute()
-    return made
+    return result
 
 
 def test_what_holds_the_part_goes_into_the_map_and_a_change_of_it_makes_the_map_old(path, jaw):
@@ -75,18 +75,20 @@ def test_what_holds_the_part_goes_into_the_map_and_a_change_of_it_makes_the_map_
     free = app.setup_map(path, **SMALL)
     assert any("stick-out" in text for text in free.Findings)
     assert not any("Jaws" in text for text in free.Findings)
-    made = app.setup_map(path, **SMALL, fixtures=[jaw])
-    assert made is free and path.Fixtures == [jaw] and made.UpToDate and "Touched" not in path.State
-    (text,) = [text for text in made.Findings if text.startswith("Jaws 40 mm thick")]
+    result = app.setup_map(path, **SMALL, fixtures=[jaw])
+    assert result is free and path.Fixtures == [jaw] and result.UpToDate and "Touched" not in path.State
+    (text,) = [text for text in result.Findings if text.startswith("Jaws 40 mm thick")]
     assert all(side in text for side in ("-X: ", "+X: ", "-Y: ", "+Y: "))
-    kept = made.Proxy.last
+    kept = result.Proxy.last
     jaw.Height = 15
     path.Document.recompute()
-    assert not made.UpToDate and made.Proxy.last is kept, "a change of what holds the part tries no setups"
+    assert not result.UpToDate and result.Proxy.last is kept, (
+        "a change of what holds the part tries no setups"
+    )
     again = app.setup_map(path, **SMALL)
     assert again.UpToDate and path.Fixtures == [jaw], "they stay unless others are named"
     app.setup_map(path, **SMALL, fixtures=[])
-    assert made.UpToDate and not path.Fixtures and not any("Jaws" in text for text in made.Findings)
+    assert result.UpToDate and not path.Fixtures and not any("Jaws" in text for text in result.Findings)
 
 
 def test_fixtures_of_a_map_that_cannot_be_stay_what_they_were(path, jaw, ball):
@@ -110,31 +112,31 @@ def test_what_cannot_be_leaves_nothing_behind(path):
     assert not [obj for obj in path.Document.Objects if "SetupMap" in obj.Name]
 
 
-def test_a_turned_part_is_asked_for_not_made(path):
-    made = app.setup_map(path, **SMALL)
-    made.RecommendedTurn = 90
+def test_a_turned_part_is_requested_not_built(path):
+    result = app.setup_map(path, **SMALL)
+    result.RecommendedTurn = 90
     with pytest.raises(SettingsError, match="turn the part by 90 deg"):
-        setups.apply(made)
+        setups.apply(result)
 
 
 def test_the_page_replaces_nothing_unasked(path, tmp_path):
-    made = app.setup_map(path, region=(50, 50, 0), grid=(2, 2, 1))
+    result = app.setup_map(path, region=(50, 50, 0), grid=(2, 2, 1))
     file = tmp_path / "map.html"
-    setups.write_page(made, file)
+    setups.write_page(result, file)
     assert "Where the part should stand" in file.read_text(encoding="utf-8")
     file.write_text("mine")
     with pytest.raises(FileError, match="exists"):
-        setups.write_page(made, file)
+        setups.write_page(result, file)
     assert file.read_text() == "mine"
-    setups.write_page(made, file, overwrite=True)
+    setups.write_page(result, file, overwrite=True)
     assert "mine" not in file.read_text(encoding="utf-8")[:10]
     with pytest.raises(FileError, match="endings"):
-        setups.write_page(made, tmp_path / "map.png")
+        setups.write_page(result, tmp_path / "map.png")
 
 
 def test_the_scale_runs_from_the_least_to_the_largest_deviation(path):
-    made = app.setup_map(path, **SMALL)
-    scale, values = setups.scale(made), list(made.Deviations)
+    result = app.setup_map(path, **SMALL)
+    scale, values = setups.scale(result), list(result.Deviations)
     assert scale.marks[0][1] == pytest.approx(min(values)) and scale.marks[-1][1] == pytest.approx(
         max(values)
     )
@@ -142,8 +144,8 @@ def test_the_scale_runs_from_the_least_to_the_largest_deviation(path):
         values.index(max(values))
     ] == pytest.approx(1.0)
     assert list(scale.good) == [value <= path.Tolerance.Value for value in values]
-    made.Deviations = [0.5] * len(values)
-    assert not setups.scale(made).level.any() and len(setups.scale(made).marks) == 1
+    result.Deviations = [0.5] * len(values)
+    assert not setups.scale(result).level.any() and len(setups.scale(result).marks) == 1
 
 
 def test_machines_are_compared_on_the_same_path(path, tmp_path):

@@ -81,10 +81,10 @@ def map_of_this_process(path, monkeypatch):
     return known[0]
 
 
-def shown(made):
+def shown(result):
     """What a map shows."""
     names = ("Verdict", "Places", "Deviations", "Recommended", "DeviationAfter", "TimeAfter", "Fingerprint")
-    return {name: str(made.getPropertyByName(name)) for name in names}
+    return {name: str(result.getPropertyByName(name)) for name in names}
 
 
 @pytest.mark.parametrize("without_python", [False, True], ids=["python", "freecad"])
@@ -139,9 +139,9 @@ def test_processes_give_the_same_reach_map(path, started, monkeypatch):
     tool = {"machine": "trunnion_ac", "cutter": "ball:6:20", "holder": "40x30"}
 
     def mapped():
-        made = app.reach_map(path.Mesh, **tool)
-        found = made.Proxy.last.trial
-        path.Document.removeObject(made.Name)
+        result = app.reach_map(path.Mesh, **tool)
+        found = result.Proxy.last.trial
+        path.Document.removeObject(result.Name)
         return study.as_json(found)
 
     assert mapped() == in_this_process(monkeypatch, mapped) and started and pools[0].died == 0

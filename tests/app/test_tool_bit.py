@@ -84,9 +84,11 @@ def test_a_bull_nose_has_its_corner_radius_or_its_flat(tmp_path, shape, sizes):
 
 @pytest.mark.parametrize("text", ["10.0000 °", "10 deg", 10])
 def test_the_angle_of_a_tapered_ball_nose_is_that_of_both_flanks(tmp_path, text):
-    made = cutter_of_file(bit_file(tmp_path, "taperedballnose.fcstd", TaperAngle=text, TaperDiameter="12 mm"))
-    assert (made.diameter, made.length, made.ring) == (6.0, 40.0, 0.0) and math.degrees(
-        made.taper
+    result = cutter_of_file(
+        bit_file(tmp_path, "taperedballnose.fcstd", TaperAngle=text, TaperDiameter="12 mm")
+    )
+    assert (result.diameter, result.length, result.ring) == (6.0, 40.0, 0.0) and math.degrees(
+        result.taper
     ) == pytest.approx(5.0)
 
 
@@ -100,12 +102,12 @@ def test_the_angle_of_a_tapered_ball_nose_is_that_of_both_flanks(tmp_path, text)
         ("taperedballnose.fcstd", {"TaperAngle": "150 deg"}, "taper is 75 deg"),
     ],
 )
-def test_a_size_that_is_missing_or_impossible_is_said(tmp_path, shape, sizes, says):
+def test_a_size_that_is_missing_or_impossible_is_stated(tmp_path, shape, sizes, says):
     with pytest.raises(SettingsError, match=says):
         cutter_of_file(bit_file(tmp_path, shape, **sizes))
 
 
-def test_the_bits_that_come_with_freecad_are_cutters_or_said_to_be_none():
+def test_the_bits_that_come_with_freecad_are_cutters_or_stated_to_be_none():
     mods = Path(FreeCAD.getHomePath()) / "Mod"
     (folder,) = (found for name in ("CAM", "Path") if (found := mods / name / "Tools" / "Bit").is_dir())
     assert cutter_of_file(folder / "6mm_Bullnose.fctb") == Cutter(6.0, 40.0, corner=1.5)
@@ -130,7 +132,7 @@ def test_without_a_cutting_edge_the_default_counts(tmp_path):
 @pytest.mark.parametrize(
     "content", [b"", b"{", b"[]", b"\xff\xfe", b'{"shape": "ballend.fcstd"}', b"[" * 100_000]
 )
-def test_a_file_that_is_no_tool_bit_is_said_so(tmp_path, content):
+def test_a_file_that_is_no_tool_bit_is_stated_so(tmp_path, content):
     path = tmp_path / "bit.fctb"
     path.write_bytes(content)
     with pytest.raises(SettingsError, match=r"bit\.fctb"):

@@ -44,21 +44,21 @@ def own_command_line(*words):
 
 
 def test_it_is_computed_and_shows_the_cores_figures(path):
-    told = summary(results.figures_of(path))
+    reported = summary(results.figures_of(path))
     assert path.State == ["Up-to-date"] and results.out_of_date(path) == ""
     shown = [path.Passes, path.Blocks, path.SingularBlocks, path.OverTolerance, path.WorstLine, path.Proven]
     wanted = [
-        told[name]
+        reported[name]
         for name in ("passes", "blocks", "singular_blocks", "over_tolerance", "worst_line", "proven")
     ]
     assert shown == wanted and path.Passes == 10 and path.Blocks > 100
-    assert path.MaxSegmentDeviation.Value == told["max_segment_deviation"] > 0
-    assert path.MaxSurfaceDeviation.Value == told["max_surface_deviation"] > 0
-    assert path.MaxSurfaceBound.Value == told["max_surface_bound"] >= path.MaxSurfaceDeviation.Value
-    assert path.MaxLineDeviation.Value == told["max_line_deviation"]
-    assert path.MaxBound.Value == told["max_bound"] >= path.MaxSegmentDeviation.Value
-    assert path.CutLength.Value == told["cut_length"] > 100
-    assert getattr(path.Time, "Value", path.Time) == told["time_s"] > 1
+    assert path.MaxSegmentDeviation.Value == reported["max_segment_deviation"] > 0
+    assert path.MaxSurfaceDeviation.Value == reported["max_surface_deviation"] > 0
+    assert path.MaxSurfaceBound.Value == reported["max_surface_bound"] >= path.MaxSurfaceDeviation.Value
+    assert path.MaxLineDeviation.Value == reported["max_line_deviation"]
+    assert path.MaxBound.Value == reported["max_bound"] >= path.MaxSegmentDeviation.Value
+    assert path.CutLength.Value == reported["cut_length"] > 100
+    assert getattr(path.Time, "Value", path.Time) == reported["time_s"] > 1
     assert (
         list(path.Findings)
         == [wording.localize(finding.text) for finding in results.figures_of(path).findings]
@@ -175,7 +175,7 @@ def test_settings_that_cannot_be_used_mark_the_object_and_clear_the_numbers(path
     assert path.State == ["Up-to-date"] and path.Blocks > 100
 
 
-def test_a_machine_file_that_vanished_is_told(doc, ball, tmp_path):
+def test_a_machine_file_that_vanished_is_reported(doc, ball, tmp_path):
     file = tmp_path / "mine.fcm"
     save_machine(load_machine("trunnion_ac"), file)
     path = app.create_toolpath(doc, ball, **{**FAST, "machine": str(file)})
@@ -203,7 +203,7 @@ def test_a_machine_file_that_changed_makes_another_result(doc, ball, tmp_path):
     assert results.out_of_date(path) == "" and b"B" in results.nc_of(path)
 
 
-def test_a_deleted_base_is_told_and_undone(doc, ball):
+def test_a_deleted_base_is_reported_and_undone(doc, ball):
     doc.UndoMode = 1
     path = app.create_toolpath(doc, ball, **FAST)
     doc.openTransaction("Delete")
@@ -219,13 +219,13 @@ def test_a_deleted_base_is_told_and_undone(doc, ball):
     assert results.out_of_date(path) == "" and path.Mesh.State == ["Up-to-date"]
 
 
-def test_a_deleted_mesh_is_told(path):
+def test_a_deleted_mesh_is_reported(path):
     path.Document.removeObject(path.Mesh.Name)
     path.Document.recompute()
     assert "Invalid" in path.State and "was deleted: undo that" in path.getStatusString()
 
 
-def test_what_is_no_toolpath_is_told(ball):
+def test_what_is_no_toolpath_is_reported(ball):
     for obj in (ball, None):
         with pytest.raises(FiveAxisError, match="no toolpath and no audit"):
             results.result_of(obj)

@@ -99,10 +99,10 @@ def test_what_is_edited_keeps_its_value():
     ]
 
 
-def test_findings_and_errors_are_told_in_the_users_units(schema):
-    said = say("The tool enters the part by {depth} at {count} places.", depth=Length(5.08), count=203)
+def test_findings_and_errors_are_reported_in_the_users_units(schema):
+    message = say("The tool enters the part by {depth} at {count} places.", depth=Length(5.08), count=203)
     schema(3)
-    assert wording.localize(said) == "The tool enters the part by 0.2 in at 203 places."
+    assert wording.localize(message) == "The tool enters the part by 0.2 in at 203 places."
     assert (
         wording.localize(SettingsError(say("tolerance is {tolerance}", tolerance=Length(0.0)), 0.0))
         == "tolerance is 0 in"

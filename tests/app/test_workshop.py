@@ -33,9 +33,9 @@ def folder(tmp_path):
 def pair(doc, ball, tmp_path):
     """A CL file and the program made of it."""
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8, "origin": (10, -5, 20)})
-    made = results.result_of(path).draft
+    result = results.result_of(path).draft
     (tmp_path / "ball.apt").write_bytes(
-        write_apt(made.path, made.settings.cutter.cutter, "ball", head=options.cl_head(made.settings))
+        write_apt(result.path, result.settings.cutter.cutter, "ball", head=options.cl_head(result.settings))
     )
     app.post_process(path, tmp_path / "ball.ngc")
     return tmp_path / "ball.apt", tmp_path / "ball.ngc"
@@ -68,7 +68,7 @@ def test_it_is_the_file_that_the_command_line_writes(pair, folder, tmp_path):
     assert (tmp_path / "cli" / "mine.fcm").read_bytes() == (tmp_path / "mine.fcm").read_bytes()
 
 
-def test_what_is_there_is_not_replaced_and_what_cannot_be_used_is_said(pair, folder, tmp_path):
+def test_what_is_there_is_not_replaced_and_what_cannot_be_used_is_stated(pair, folder, tmp_path):
     (tmp_path / "mine.fcm").write_text("mine")
     with pytest.raises(FileError, match="exists already"):
         app.recover(*pair, tmp_path / "mine.fcm")
@@ -137,18 +137,18 @@ def test_a_machine_of_freecad_s_editor_is_imported(folder, tmp_path):
     source.write_text(json.dumps(data))
     found = importing.read(source)
     assert {one.code for one in found.findings} >= {"sign-unproven"}
-    made = app.import_machine(source)
-    assert Path(made).parent == folder and load_machine(made).axes == found.machine.axes
+    result = app.import_machine(source)
+    assert Path(result).parent == folder and load_machine(result).axes == found.machine.axes
     (tmp_path / "cli").mkdir()
     run("import-machine", source, "-o", tmp_path / "cli" / "m.fcm", "--quiet")
-    assert (tmp_path / "cli" / "m.fcm").read_bytes() == Path(made).read_bytes()
+    assert (tmp_path / "cli" / "m.fcm").read_bytes() == Path(result).read_bytes()
     with pytest.raises(FileError, match="exists already"):
-        importing.write(found, made)
+        importing.write(found, result)
     with pytest.raises(SettingsError, match="does not end"):
         importing.write(found, tmp_path / "m.ini")
 
 
-def test_a_name_that_no_file_can_have_is_made_one_and_none_is_taken_twice(folder):
+def test_a_name_that_no_file_can_have_is_built_one_and_none_is_taken_twice(folder):
     assert machines.free_file("a/b:c") == str(folder / "a_b_c.fcm") and machines.free_file("..") == str(
         folder / "machine.fcm"
     )

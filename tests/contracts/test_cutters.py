@@ -85,8 +85,8 @@ def test_its_effective_radius_is_how_its_outline_bends_across_its_way(form):
             body_support(body, np.einsum("ij,ij->i", way, axis)) - np.einsum("ij,ij->i", way, centre)
         )
     bent = (supports[0] - 2.0 * supports[1] + supports[2]) / step**2
-    told = cutter.effective_radius(normal, axis, across)
-    inner = np.abs(bent - told) <= 1e-2 * told + 2e-3
+    reported = cutter.effective_radius(normal, axis, across)
+    inner = np.abs(bent - reported) <= 1e-2 * reported + 2e-3
     assert inner.mean() > 0.95, "but for the few stands next to where one round ends and another begins"
 
 

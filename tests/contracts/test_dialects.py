@@ -210,12 +210,12 @@ def test_options_change_what_the_head_says_but_no_line_of_a_block(dialect) -> No
     )
     head = full.decode().split(dialect.newline)[: len(dialect.head)]
     called = (dialect.tool_call.format(tool=7, speed=12000), dialect.tool_length.format(tool=7))
-    said = (
+    message = (
         called[0],
         called[1] if "{length}" in dialect.head else "",
         dialect.work_offset.format(offset=offset),
     )
-    for expected in (*said, "S12000", "M3", "M8"):
+    for expected in (*message, "S12000", "M3", "M8"):
         assert expected in " ".join(head)
     assert ("42" in " ".join(head)) == any("{program}" in line for line in dialect.head)
     assert block_lines(full, dialect) == block_lines(plain, dialect)
@@ -238,7 +238,7 @@ def test_options_out_of_range_are_refused(wrong) -> None:
         PostOptions(**wrong)
 
 
-def test_linuxcnc_keeps_to_the_exact_path_unless_told_a_blend_tolerance() -> None:
+def test_linuxcnc_keeps_to_the_exact_path_unless_reported_a_blend_tolerance() -> None:
     dialect = DIALECTS["linuxcnc"]
     program = some_program(dialect, True)
     assert b"\nG61\n" in write_nc(program, dialect, "part")
@@ -353,7 +353,7 @@ def test_the_high_speed_mode_is_switched_on_before_the_blocks_and_off_after_them
     program = some_program(fast, False)
     text = write_nc(program, fast, "part", PostOptions(blend=0.02)).decode()
     lines = text.split(fast.newline)
-    on, off = ([line.format(tolerance="0.0200") for line in told] for told in dialect.high_speed)
+    on, off = ([line.format(tolerance="0.0200") for line in reported] for reported in dialect.high_speed)
     at = next(k for k, line in enumerate(lines) if line.endswith(on[0]))
     last = max(k for k, line in enumerate(lines) if line.endswith(off[-1]))
     assert at < program.line[0] - 1 and last > program.line[-1] - 1
@@ -442,21 +442,21 @@ def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machin
         tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 500.0), tip, axis, none, none, none
     )
     joints = solve(path, kinematics, tip.min(axis=0), tip.max(axis=0), 5.0)
-    told = {}
+    reported = {}
     for dialect, how in [(dialect, "") for dialect in DIALECTS.values()] + GUIDED:
         dialect = dialect.guide_by(how) if how else dialect
         program = build_program(joints, kinematics, dialect, bool(dialect.inverse_time))
         again = read_nc(write_nc(program, dialect, "part", TOOL), kinematics, dialect)
-        told[dialect.name, how] = posed(kinematics, again.words)
+        reported[dialect.name, how] = posed(kinematics, again.words)
         lever = 700.0 * np.radians(0.5 * 10.0**-dialect.rotary_decimals) * 2
-        off = np.linalg.norm(told[dialect.name, how][0] - joints.path.tip[program.row], axis=1).max()
+        off = np.linalg.norm(reported[dialect.name, how][0] - joints.path.tip[program.row], axis=1).max()
         assert off <= (1e-4 if how else lever + 1e-4), (dialect.name, how)
-        lean = np.linalg.norm(told[dialect.name, how][1] - joints.path.axis[program.row], axis=1).max()
+        lean = np.linalg.norm(reported[dialect.name, how][1] - joints.path.axis[program.row], axis=1).max()
         assert lean <= (2e-7 if how == "vectors" else np.radians(10.0**-dialect.rotary_decimals)), (
             dialect.name,
             how,
         )
-    assert len(told) == len(DIALECTS) + len(GUIDED)
+    assert len(reported) == len(DIALECTS) + len(GUIDED)
 
 
 WRAPPED = [dialect for dialect in DIALECTS.values() if dialect.shorter_way]

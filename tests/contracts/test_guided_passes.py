@@ -256,14 +256,14 @@ def test_radial_passes_turn_with_the_part_about_any_axis():
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "reported"),
     [
         ({"axis": (0.0, 0.0, 0.0)}, "--pass-axis 0,0,0 has no direction"),
         ({"centre": "left"}, "neither middle nor X,Y,Z"),
     ],
 )
-def test_an_axis_that_is_none_is_refused(given, told):
-    with pytest.raises(SettingsError, match=told):
+def test_an_axis_that_is_none_is_refused(given, reported):
+    with pytest.raises(SettingsError, match=reported):
         RADIAL.check(region(plate()), options(**given))
 
 
@@ -271,7 +271,7 @@ def test_an_axis_that_is_none_is_refused(given, told):
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (["--passes", "morph", "--from", "0,0,0"], None), (["--passes", "radial"], None),
         (["--passes", "radial", "--pass-centre", "1,2,3", "--pass-axis", "0,1,1"], None),
@@ -281,7 +281,7 @@ def test_an_axis_that_is_none_is_refused(given, told):
     ],
 )  # fmt: skip
 def test_the_command_line_makes_a_program_or_says_in_one_line_why_not(
-    tmp_path, monkeypatch, capsys, words, told
+    tmp_path, monkeypatch, capsys, words, reported
 ):
     monkeypatch.chdir(tmp_path)
     write_stl(plate(), tmp_path / "part.stl")
@@ -299,8 +299,10 @@ def test_the_command_line_makes_a_program_or_says_in_one_line_why_not(
         "--quiet",
     ]
     code = cli.main([*given, *words])
-    if told is None:
+    if reported is None:
         assert code in (0, 1) and (tmp_path / "out.ngc").exists()
     else:
         error = capsys.readouterr().err
-        assert code == 2 and told in error and error.count("\n") == 1 and not (tmp_path / "out.ngc").exists()
+        assert (
+            code == 2 and reported in error and error.count("\n") == 1 and not (tmp_path / "out.ngc").exists()
+        )

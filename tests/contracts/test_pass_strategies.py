@@ -269,18 +269,18 @@ def test_every_strategy_says_in_one_line_what_it_does(strategy):
 
 
 def test_a_check_that_lets_pass_does_none_of_the_work_of_the_field(strategy):
-    told = []
+    reported = []
     where = Region(
         slope(),
         np.ones(len(slope().face), bool),
         RADIUS,
         STEP,
-        progress=lambda stage, share: told.append(stage),
+        progress=lambda stage, share: reported.append(stage),
     )
     strategy.check(where, OPTIONS)
-    assert not told
+    assert not reported
     strategy.field(where, OPTIONS)
-    assert told
+    assert reported
 
 
 @pytest.mark.parametrize(
@@ -502,9 +502,9 @@ def test_samples_of_passes_do_not_grow_with_the_slivers_at_a_tip(monkeypatch):
     counts, thinned = [], scallop_passes._thin_points
 
     def counted(point, normal, step):
-        made = thinned(point, normal, step)
-        counts.append((len(point), len(made[0])))
-        return made
+        result = thinned(point, normal, step)
+        counts.append((len(point), len(result[0])))
+        return result
 
     monkeypatch.setattr(scallop_passes, "_thin_points", counted)
     for slivers in (400, 1600):
@@ -562,7 +562,7 @@ def test_in_a_hollow_what_is_no_ball_gets_the_step_of_a_flat(widest, spread):
     assert found.value[found.surface.component == 0].max() == pytest.approx(way, rel=0.05)
 
 
-def test_facets_that_no_pass_touches_are_told():
+def test_facets_that_no_pass_touches_are_reported():
     keep = np.ones(len(slope().face), bool)
     found = field_of(slope())
     near = slope().vertex[slope().face, 0].mean(axis=1) < 0.0
@@ -571,7 +571,7 @@ def test_facets_that_no_pass_touches_are_told():
     assert warning.value == pytest.approx(slope().area[~near].sum(), rel=0.3)
 
 
-def test_facets_between_two_passes_are_not_told():
+def test_facets_between_two_passes_are_not_reported():
     fine = grid(
         np.stack(
             [*np.meshgrid(np.linspace(0, 9, 91), np.linspace(0, 9, 91), indexing="ij"), np.zeros((91, 91))],
@@ -641,9 +641,9 @@ def no_axis_field(monkeypatch):
 
 
 @pytest.mark.parametrize("tool_axis", ["auto", "facet_mean"])
-@pytest.mark.parametrize(("words", "said"), BAD)
+@pytest.mark.parametrize(("words", "message"), BAD)
 def test_what_cannot_be_used_is_one_line_and_no_file(
-    stl, no_axis_field, words, said, tool_axis, monkeypatch, capsys
+    stl, no_axis_field, words, message, tool_axis, monkeypatch, capsys
 ):
     """And it is refused before the field of axes is computed, where the tool axis is auto."""
     monkeypatch.chdir(stl)
@@ -663,8 +663,8 @@ def test_what_cannot_be_used_is_one_line_and_no_file(
         "--quiet",
     ]
     assert cli.main([*given, *words]) == 2
-    told = capsys.readouterr().err
-    assert said in told and told.count("\n") == 1
+    reported = capsys.readouterr().err
+    assert message in reported and reported.count("\n") == 1
     assert not (stl / "out.ngc").exists()
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from test_pass_strategies import SCALLOP, region, rest_heights, samples
-from test_pass_strategies import passes as laid
+from test_pass_strategies import passes as plan
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import FiveAxisError, SettingsError
@@ -104,14 +104,14 @@ def settings_of(source, **given):
 def test_no_more_than_the_scallop_stays_where_a_ball_follows_the_passes(name, by):
     mesh = shape(name)
     stays = rest_heights(
-        mesh, laid(ROTARY, mesh, options=options(by=by)), samples(mesh, np.flatnonzero(side_of(mesh)))[0]
+        mesh, plan(ROTARY, mesh, options=options(by=by)), samples(mesh, np.flatnonzero(side_of(mesh)))[0]
     )
     assert np.quantile(stays, 0.98) <= 1.2 * SCALLOP and stays.max() <= 2.0 * SCALLOP
 
 
 def test_twice_the_step_would_leave_more():
     mesh = shape("cam")
-    contact = laid(ROTARY, mesh, options=options(scallop=4.0 * SCALLOP))
+    contact = plan(ROTARY, mesh, options=options(scallop=4.0 * SCALLOP))
     assert (
         np.quantile(rest_heights(mesh, contact, samples(mesh, np.flatnonzero(side_of(mesh)))[0]), 0.9)
         > 1.2 * SCALLOP
@@ -119,7 +119,7 @@ def test_twice_the_step_would_leave_more():
 
 
 def test_around_a_cylinder_there_is_a_ring_each_step_of_a_flat():
-    contact = laid(ROTARY, shape("cylinder"), options=options())
+    contact = plan(ROTARY, shape("cylinder"), options=options())
     rings = int(contact.pass_.max()) + 1
     assert rings == math.ceil(LENGTH / flat_interval(3.0, 0.92 * SCALLOP) - 1e-9)
     middle = (np.arange(rings) + 0.5) * LENGTH / rings
@@ -133,7 +133,7 @@ def test_around_a_cylinder_there_is_a_ring_each_step_of_a_flat():
 
 
 def test_along_a_cylinder_lines_lie_the_angle_of_a_step_apart():
-    contact = laid(ROTARY, shape("cylinder"), options=options(by="along"))
+    contact = plan(ROTARY, shape("cylinder"), options=options(by="along"))
     way = contact.point[1::2] - contact.point[::2]
     assert np.abs(way[:, 0]).sum() > 0.999 * np.linalg.norm(way, axis=1).sum()
     numbers = np.unique(contact.pass_)
@@ -148,14 +148,14 @@ def test_along_a_cylinder_lines_lie_the_angle_of_a_step_apart():
     assert abs(apart[0]) * len(numbers) == pytest.approx(2.0 * math.pi, rel=0.02)
 
 
-def test_the_ends_have_no_pass_and_are_told_with_their_area():
+def test_the_ends_have_no_pass_and_are_reported_with_their_area():
     mesh = shape("cylinder")
     given = options()
     found = ROTARY.field(region(mesh), given)
     contact = cut(region(mesh), found, "zigzag")
-    told = {one.code: one for one in ROTARY.report_untouched(region(mesh), given, found, contact.face)}
+    reported = {one.code: one for one in ROTARY.report_untouched(region(mesh), given, found, contact.face)}
     area = 96 * 25.0 * math.sin(2.0 * math.pi / 96)
-    assert told["facets-across-axis"].value == pytest.approx(area, rel=1e-6) and set(told) == {
+    assert reported["facets-across-axis"].value == pytest.approx(area, rel=1e-6) and set(reported) == {
         "facets-across-axis"
     }
 
@@ -169,23 +169,23 @@ def test_passes_go_with_a_part_that_is_turned_shifted_and_scaled(by):
     for turn, shift, size in ((np.eye(3), np.zeros(3), 1.0), (placed, np.array([40.0, -7.0, 11.0]), 1.5)):
         mesh = from_faces(size * np.asarray(shape("cam").vertex) @ turn.T + shift, shape("cam").face)
         given = options(axis=tuple(turn[:, 0]), centre=tuple(shift), stepover=size * 0.6, scallop=None, by=by)
-        contact = laid(ROTARY, mesh, options=given)
+        contact = plan(ROTARY, mesh, options=given)
         lengths.append(float(np.linalg.norm(contact.point[1::2] - contact.point[::2], axis=1).sum()) / size)
     assert lengths[0] == pytest.approx(lengths[1], rel=5e-3)
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "reported"),
     [
         ({"axis": (0.0, 0.0, 0.0)}, "--pass-axis 0,0,0 has no direction"), ({"centre": "left"}, "neither middle nor X,Y,Z"),
         ({"centre": (0.0, 500.0, 0.0), "axis": X}, None),
     ],
 )  # fmt: skip
-def test_an_axis_that_is_none_is_refused(given, told):
-    if told is None:
+def test_an_axis_that_is_none_is_refused(given, reported):
+    if reported is None:
         ROTARY.check(region(shape("cylinder")), options(**given))
         return
-    with pytest.raises(SettingsError, match=told):
+    with pytest.raises(SettingsError, match=reported):
         ROTARY.check(region(shape("cylinder")), options(**given))
 
 
@@ -246,7 +246,7 @@ def test_what_is_given_counts():
 
 
 @lru_cache
-def made(name, by="around", spiral="off", order="zigzag"):
+def make_result(name, by="around", spiral="off", order="zigzag"):
     import tempfile
 
     with tempfile.TemporaryDirectory() as folder:
@@ -261,7 +261,7 @@ def feed_rows(program):
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", SHAPES)
 def test_the_tool_points_at_the_axis_and_one_rotary_word_turns(name):
-    result = made(name)
+    result = make_result(name)
     path = result.draft.path
     rows = np.flatnonzero(path.motion == Motion.CUT)
     outward = path.contact[rows] * (0.0, 1.0, 1.0)
@@ -279,7 +279,7 @@ def test_the_tool_points_at_the_axis_and_one_rotary_word_turns(name):
     ("name", "by"), [("cylinder", "around"), ("cam", "around"), ("flat", "along"), ("cone", "along")]
 )
 def test_what_is_posted_is_read_again_and_the_rotary_word_never_jumps_in_a_pass(name, by):
-    built = made(name, by).draft
+    built = make_result(name, by).draft
     read = read_nc(built.nc, built.kinematics, built.dialect)
     np.testing.assert_allclose(read.words[-len(built.program.words) :], built.program.words, atol=1e-9)
     rows = feed_rows(built.program)
@@ -290,8 +290,8 @@ def test_what_is_posted_is_read_again_and_the_rotary_word_never_jumps_in_a_pass(
 def test_a_spiral_around_a_cylinder_is_the_helix_of_the_closed_form():
     """One pass: a ring, turns of one step each, and a ring; the rotary word only rises, one turn for each of
     them."""
-    rings = int(made("cylinder").draft.contact.pass_.max()) + 1
-    built = made("cylinder", spiral="on").draft
+    rings = int(make_result("cylinder").draft.contact.pass_.max()) + 1
+    built = make_result("cylinder", spiral="on").draft
     path = built.path
     assert np.ptp(built.contact.pass_) == 0
     rows = np.flatnonzero(np.isin(path.motion, (Motion.CUT, Motion.FILL)))
@@ -308,7 +308,7 @@ def test_a_spiral_around_a_cylinder_is_the_helix_of_the_closed_form():
     assert way.min() >= -1e-3 and abs(word[-1] - word[0]) == pytest.approx(360.0 * (rings + 1), abs=36.0)
 
 
-def test_turns_beyond_the_limits_are_wound_back_and_told(tmp_path, stl):
+def test_turns_beyond_the_limits_are_wound_back_and_reported(tmp_path, stl):
     limited = Axis("A", True, "table", X, low=-3.0 * math.pi, high=3.0 * math.pi, max_rate=60.0)
     linear = (
         Axis(a, False, "head", way, low=-500, high=500, max_rate=9000)
@@ -342,7 +342,7 @@ def test_a_machine_of_five_axes_turns_the_part_about_its_longest_side(stl):
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (["--rotary-by", "around"], None), (["--passes", "scallop", "--tool-axis", "from_axis"], None),
         (["--passes", "rotary", "--tool-axis", "facet_mean"], None),
@@ -353,13 +353,13 @@ def test_a_machine_of_five_axes_turns_the_part_about_its_longest_side(stl):
         (["--passes", "rotary", "--pass-axis", "1,2"], "pass-axis"),
     ],
 )  # fmt: skip
-def test_the_command_line_makes_a_program_or_says_in_one_line_why_not(tmp_path, capsys, stl, words, told):
+def test_the_command_line_makes_a_program_or_says_in_one_line_why_not(tmp_path, capsys, stl, words, reported):
     out = tmp_path / "out.ngc"
     common = ["--machine", FOUR_AXES, "--cutter", "ball:6", "--scallop", "0.2", "-o", str(out), "--quiet"]
     code = cli.main(["mill", stl("cylinder"), *common, *words])
-    said = capsys.readouterr().err
-    assert (code == 2) == (told is not None) == (not out.exists())
-    assert told is None or (told in said and len(said.strip().splitlines()) == 1)
+    message = capsys.readouterr().err
+    assert (code == 2) == (reported is not None) == (not out.exists())
+    assert reported is None or (reported in message and len(message.strip().splitlines()) == 1)
 
 
 def test_a_word_that_is_no_choice_ends_with_code_2(capsys):
@@ -371,13 +371,13 @@ def test_a_word_that_is_no_choice_ends_with_code_2(capsys):
 @pytest.mark.rs274
 @pytest.mark.skipif(shutil.which("rs274") is None, reason="needs LinuxCNC")
 def test_linuxcnc_reads_a_helix_of_many_turns(tmp_path):
-    built = made("cylinder", spiral="on").draft
+    built = make_result("cylinder", spiral="on").draft
     nc = tmp_path / "out.ngc"
     nc.write_bytes(built.nc)
-    told = subprocess.run(
+    reported = subprocess.run(
         ["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=120, check=True
     ).stdout
-    moves = [line for line in told.splitlines() if "STRAIGHT_FEED" in line]
+    moves = [line for line in reported.splitlines() if "STRAIGHT_FEED" in line]
     last = [float(word) for word in moves[-1].split("(")[1].rstrip(")").split(",")]
     feeds = built.program.words[built.program.motion != int(Motion.RAPID)]
     np.testing.assert_allclose(last[:4], feeds[-1][:4], atol=1e-4)

@@ -28,11 +28,11 @@ def parts(tmp_path_factory):
 def milled(parts):
     """Results by part, machine and controller, each made once; without a cure, unless the options ask for
     one."""
-    made = {}
+    result = {}
 
     def mill(part, machine, controller="linuxcnc", **options):
         key = (part, machine, controller, *sorted(options.items()))
-        if key not in made:
+        if key not in result:
             given = {
                 "machine": machine,
                 "controller": controller,
@@ -41,8 +41,8 @@ def milled(parts):
                 **UNCURED,
                 **options,
             }
-            made[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
-        return made[key]
+            result[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
+        return result[key]
 
     return mill
 
@@ -73,8 +73,8 @@ def living(request):
     """living(name): an executor of that engine, whose workers serve all tests of a file."""
 
     def find(name):
-        made = request.getfixturevalue(name)
-        return made.get_executor() if name == "dask" else made
+        result = request.getfixturevalue(name)
+        return result.get_executor() if name == "dask" else result
 
     return find
 
@@ -86,5 +86,5 @@ def engine(request, living):
     if name in engines.SHARED:
         yield engines.Engine(name, living(name), True)
         return
-    with engines.OPEN[name]() as made:
-        yield engines.Engine(name, made, name in engines.APART)
+    with engines.OPEN[name]() as result:
+        yield engines.Engine(name, result, name in engines.APART)

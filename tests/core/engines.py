@@ -121,10 +121,10 @@ def _try_mpi():
         tried = subprocess.run(
             [sys.executable, "-c", SPAWN], env=os.environ | more, capture_output=True, timeout=120, text=True
         )
-        said = tried.stdout.strip()
+        message = tried.stdout.strip()
     except subprocess.TimeoutExpired:
-        said = "it hangs"
-    works = said == "3"
+        message = "it hangs"
+    works = message == "3"
     return more, "" if works else "this MPI begins no processes beside one that was begun without it"
 
 

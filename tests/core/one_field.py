@@ -13,9 +13,9 @@ def keep_fields(monkeypatch, kept=None):
     found, kept = mill_context.find_axis_field, {} if kept is None else kept
 
     def find(mesh, facets, reacher, *more):
-        asked = pickle.dumps((mesh.vertex, mesh.face, facets, reacher))
-        if asked not in kept:
-            kept[asked] = found(mesh, facets, reacher, *more)
-        return kept[asked]
+        wanted = pickle.dumps((mesh.vertex, mesh.face, facets, reacher))
+        if wanted not in kept:
+            kept[wanted] = found(mesh, facets, reacher, *more)
+        return kept[wanted]
 
     monkeypatch.setattr(mill_context, "find_axis_field", find)

@@ -49,17 +49,17 @@ def judged(file: Path, timeout: float = 60) -> Judged:
         stdin=subprocess.DEVNULL,
     )
     ends, kinds, plane, scale, zero = [], [], "XY", 1.0, np.zeros(6)
-    for name, told in CALL.findall(run.stdout):
+    for name, reported in CALL.findall(run.stdout):
         if name == "USE_LENGTH_UNITS":
-            scale = 25.4 if "INCHES" in told else 1.0
+            scale = 25.4 if "INCHES" in reported else 1.0
         elif name == "SET_G92_OFFSET":  # the moves behind it are told from there
-            zero = np.array(_end([float(number) for number in told.split(",")], name, plane, scale))
+            zero = np.array(_end([float(number) for number in reported.split(",")], name, plane, scale))
         elif name == "SELECT_PLANE":
-            plane = told[-2:]
+            plane = reported[-2:]
         elif name == "PROGRAM_END":
             break
         else:
-            ends.append(zero + _end([float(number) for number in told.split(",")], name, plane, scale))
+            ends.append(zero + _end([float(number) for number in reported.split(",")], name, plane, scale))
             kinds.append({"STRAIGHT_FEED": "cut", "STRAIGHT_TRAVERSE": "rapid", "ARC_FEED": "arc"}[name])
     off = 1.5e-3 if "UNITS_INCHES" in run.stdout else 2e-4
     return Judged(np.array(ends).reshape(-1, 6), kinds, run.stderr if run.returncode else "", off)
@@ -83,15 +83,15 @@ def moving(ends: np.ndarray, off: float) -> np.ndarray:
     )
 
 
-def difference(words: np.ndarray, said: Judged) -> str:
+def difference(words: np.ndarray, message: Judged) -> str:
     """Where the ends (m, 5) X Y Z A C of our blocks, arcs in chords, leave those of the judge; '' where they
     never do."""
-    theirs, off = said.ends[:, [0, 1, 2, 3, 5]], said.off
+    theirs, off = message.ends[:, [0, 1, 2, 3, 5]], message.off
     near = np.flatnonzero(np.abs(theirs[:12] - words[0]).max(axis=1) <= off)
     if not len(near):
         return f"starts at {words[0]}, not {theirs[:3]}"
     row, begin = 0, int(near[0])
-    for end, kind in zip(theirs[begin + 1 :], said.kinds[begin + 1 :], strict=True):
+    for end, kind in zip(theirs[begin + 1 :], message.kinds[begin + 1 :], strict=True):
         if np.abs(end - words[row]).max() <= off and kind != "arc":
             continue  # no way to go
         ahead = np.flatnonzero(np.abs(words[row + 1 : row + 20001] - end).max(axis=1) <= off)

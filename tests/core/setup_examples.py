@@ -40,12 +40,12 @@ def milled(machine="trunnion_ac", stepover=3.8, rings=20, **options):
     return job.make(build_settings("mill", "cap.stl", given), mesh=cap(rings=rings, sectors=3 * rings))
 
 
-def posting(made):
+def posting(result):
     """As the pipeline posts."""
     return Posting(
-        made.dialect,
+        result.dialect,
         True,
-        made.settings.links.clearance,
-        made.settings.cutter.cutter.radius,
-        made.mesh.vertex,
+        result.settings.links.clearance,
+        result.settings.cutter.cutter.radius,
+        result.mesh.vertex,
     )

@@ -71,7 +71,7 @@ def test_what_gains_is_what_a_direct_run_of_it_finishes_more(block, planes):
     )
 
 
-def test_where_nothing_gains_that_is_said(planes):
+def test_where_nothing_gains_that_is_stated(planes):
     small = [advice.Trial({"passes": "scallop"}, 1000.0, 5.0), advice.Trial({"cutter": "ball:3"}, 0.0, -20.0)]
     assert (
         advice.report_advice(tuple(small), 10.0).text
@@ -84,7 +84,7 @@ def test_where_nothing_gains_that_is_said(planes):
     )
 
 
-def test_what_cannot_be_made_gains_nothing_and_cancel_ends_it(planes):
+def test_what_cannot_be_built_gains_nothing_and_cancel_ends_it(planes):
     def refuse(settings):
         raise SettingsError("no facet can be cut", None)
 
@@ -96,7 +96,7 @@ def test_what_cannot_be_made_gains_nothing_and_cancel_ends_it(planes):
         advice.try_others(planes, cancel)
 
 
-def test_nothing_is_tried_that_is_asked_for_already():
+def test_nothing_is_tried_that_is_requested_already():
     whole = build_settings("mill", "x.stl", {**GIVEN, "tool_axis": "auto"})
     assert [list(one) for one in advice.find_changes(whole)] == [["cutter"], ["cutter"]]
     bull = build_settings("mill", "x.stl", {**GIVEN, "cutter": "bull:6:1", "passes": "zlevel"})
@@ -125,8 +125,8 @@ def test_a_level_bottom_is_tried_as_a_ball_of_its_size_and_smaller(cutter, ball,
 def test_where_nothing_can_be_tried_a_whole_sentence_says_so():
     barrel = build_settings("mill", "x.stl", {**GIVEN, "cutter": "barrel:10:85:2", "passes": "scallop"})
     assert list(advice.find_changes(barrel)) == []
-    said = advice.report_advice((), 10.0).text
-    assert said.startswith("For this cutter") and said.endswith("none was tried.")
+    read_message = advice.report_advice((), 10.0).text
+    assert read_message.startswith("For this cutter") and read_message.endswith("none was tried.")
 
 
 def test_for_an_upright_flat_cutter_the_ball_that_was_tried_is_named(block):
@@ -138,10 +138,10 @@ def test_for_an_upright_flat_cutter_the_ball_that_was_tried_is_named(block):
 
 
 @pytest.mark.slow
-def test_the_command_line_advises_where_something_is_left_and_where_it_is_asked_to(
+def test_the_command_line_advises_where_something_is_left_and_where_it_is_requested_to(
     block, tmp_path, monkeypatch
 ):
-    def said(*more):
+    def read_message(*more):
         report = tmp_path / "report.json"
         given = [f"--{name}={value}" for name, value in GIVEN.items()]
         assert cli.main(
@@ -153,6 +153,6 @@ def test_the_command_line_advises_where_something_is_left_and_where_it_is_asked_
         return [one for one in json.loads(report.read_text())["findings"] if one["code"] == "advice"]
 
     monkeypatch.setattr(advice, "SMALLER", ())
-    assert said("--passes", "planes") == [] == said("--advise")
-    (found,) = said("--passes", "planes", "--advise")
+    assert read_message("--passes", "planes") == [] == read_message("--advise")
+    (found,) = read_message("--passes", "planes", "--advise")
     assert found["severity"] == "note" and found["unit"] == "mm2" and found["value"] > 400.0

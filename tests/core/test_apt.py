@@ -111,14 +111,16 @@ def test_line_endings_do_not_matter(end: bytes) -> None:
     ("statement", "severity"),
     [(b"CYCLE/DRILL,5", Severity.ERROR), (b"TLAXIS/PERPTO", Severity.ERROR), (b"FOO/1", Severity.WARNING)],
 )
-def test_statements_that_are_not_interpreted_are_told_once_each(statement: bytes, severity: Severity) -> None:
+def test_statements_that_are_not_interpreted_are_reported_once_each(
+    statement: bytes, severity: Severity
+) -> None:
     path = read_apt(b"FEDRAT/100\nGOTO/1,2,3\n" + statement + b"\n" + statement + b"\nGOTO/1,2,4\n")
     assert [(found.code, found.severity, found.line, found.value) for found in path.findings] == [
         ("statement-not-interpreted", severity, 3, 2.0)
     ]
 
 
-def test_moves_before_any_feed_take_the_given_one_or_are_told() -> None:
+def test_moves_before_any_feed_take_the_given_one_or_are_reported() -> None:
     assert read_apt(b"GOTO/1,2,3\nFEDRAT/5\nGOTO/1,2,4\n", ClReading(feed=700.0)).feed.tolist() == [700, 5]
     assert [found.code for found in read_apt(b"GOTO/1,2,3\n").findings] == ["no-feed"]
 

@@ -121,7 +121,7 @@ def test_printed_digits_that_are_off_leave_no_step() -> None:
         ("GOTO/10,0,5\n" + QUARTERS["catia"].replace(" 0.00000, 1.0", " 1.00000, 0.0"), 4, 1),
     ],
 )  # fmt: skip
-def test_an_arc_that_does_not_fit_is_told_and_goes_straight(text: str, line: int, value: float) -> None:
+def test_an_arc_that_does_not_fit_is_reported_and_goes_straight(text: str, line: int, value: float) -> None:
     path = read_apt("FEDRAT/100\n" + text)
     (found,) = path.findings
     assert (found.code, found.severity, found.line) == ("arc-does-not-fit", Severity.ERROR, line)
@@ -144,7 +144,7 @@ def test_a_contour_taken_the_wrong_way_round_runs_back() -> None:
     assert (found.code, found.severity, found.value, found.line) == ("arc-runs-back", Severity.ERROR, 2, 4)
 
 
-def test_ends_that_are_too_near_to_tell_are_told() -> None:
+def test_ends_that_are_too_near_to_tell_are_reported() -> None:
     (found,) = read_apt("FEDRAT/100\nGOTO/10,0,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,-0.001,0\n").findings
     assert (found.code, found.severity, found.line) == (
         "arc-runs-back",

@@ -74,7 +74,7 @@ def test_the_last_decimals_of_long_statements_are_no_sequence_numbers() -> None:
     "numbers",
     [("PT     2", "PT     1"), ("PT     1", "PT     1"), ("PT     1", "P1.5"), ("PT     1", "PT      12345")],
 )
-def test_what_does_not_count_up_is_told_as_before(numbers: tuple[str, str]) -> None:
+def test_what_does_not_count_up_is_reported_as_before(numbers: tuple[str, str]) -> None:
     text = "\n".join(_card(f"GOTO/{k},0,0", number) for k, number in enumerate(numbers))
     with pytest.raises(ProgramError, match="line 1"):
         read_apt(text)

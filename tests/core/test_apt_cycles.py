@@ -131,7 +131,7 @@ def test_the_feed_of_a_hole_is_its_cycles_or_fedrats_even_per_turn() -> None:
         "DRILL,DEPTH,,CLEAR,2", "DRILL,DEPTH,5,CLEAR,2,MMPM,0", "ON", "", "DEEP", "DRILL,DEPTH,1E999,CLEAR,2",
     ],
 )  # fmt: skip
-def test_what_is_no_such_cycle_is_told_by_name(rest: str) -> None:
+def test_what_is_no_such_cycle_is_reported_by_name(rest: str) -> None:
     assert cycle_of(rest) is None
     path = read_apt(f"FEDRAT/9\nGOTO/0,0,9\nCYCLE/{rest}\nGOTO/0,0,0\nCYCLE/OFF\n")
     (found,) = path.findings
@@ -160,7 +160,7 @@ def test_a_cycle_that_is_not_interpreted_ends_the_one_before() -> None:
         ),
     ],
 )
-def test_what_of_a_cycle_is_left_out_is_told(text: str, code: str, severity: Severity, line: int) -> None:
+def test_what_of_a_cycle_is_left_out_is_reported(text: str, code: str, severity: Severity, line: int) -> None:
     (found,) = read_apt(f"FEDRAT/9\nGOTO/0,0,9\n{text}\n").findings
     assert (found.code, found.severity, found.line) == (code, severity, line)
 

@@ -131,7 +131,7 @@ def test_the_same_path_comes_out_of_every_systems_form(text: bytes) -> None:
     assert (file.head.tool, file.head.speed, file.head.coolant) == (1, 70.0, True)
 
 
-def test_the_cutter_is_said_in_mm_where_it_is_said() -> None:
+def test_the_cutter_is_stated_in_mm_where_it_is_stated() -> None:
     assert [read_cl_file(FORMS[name]).head.diameter for name in ("catia", "creo")] == [12.0, 0.0]
     assert read_cl_file(MASTERCAM).head.diameter == pytest.approx(12.0)
     assert read_cl_file(MASTERCAM).head.corner == pytest.approx(2.0)
@@ -223,7 +223,7 @@ def test_a_feed_per_turn_takes_the_spindles_speed() -> None:
         (b"FINI\nGOTO/1,1,1", "text-after-end", Severity.NOTE, 4),
     ],
 )  # fmt: skip
-def test_what_may_spoil_the_part_is_told_with_its_line(
+def test_what_may_spoil_the_part_is_reported_with_its_line(
     statements: bytes, code: str, severity: Severity, line: int
 ) -> None:
     found = read_apt(b"FEDRAT/9\nGOTO/1,2,3\n" + statements + b"\n").findings
@@ -242,7 +242,7 @@ def test_what_may_spoil_the_part_is_told_with_its_line(
         "FINISH/3",
     ],
 )
-def test_what_changes_nothing_is_not_told(statement: str) -> None:
+def test_what_changes_nothing_is_not_reported(statement: str) -> None:
     found = read_apt(f"FEDRAT/9\n{statement}\nGOTO/1,2,3\n{statement}\nGOTO/1,2,4\n").findings
     assert [one.code for one in found] == (["statement-not-interpreted"] if statement == "FINISH/3" else [])
 
@@ -368,8 +368,8 @@ def test_the_nc_head_takes_tool_speed_and_coolant_from_the_file_unless_the_optio
 ) -> None:
     (tmp_path / "a.apt").write_bytes(CREO)
     given = {"machine": "trunnion_ac", "cutter": "ball:12", "output": str(tmp_path / "a.ngc")}
-    made = job.make(build_settings("post", str(tmp_path / "a.apt"), given))
-    assert {b"T1", b"M6", b"H1", b"S70", b"M3", b"M8"} <= set(made.nc.split())
+    draft = job.make(build_settings("post", str(tmp_path / "a.apt"), given))
+    assert {b"T1", b"M6", b"H1", b"S70", b"M3", b"M8"} <= set(draft.nc.split())
     other = job.make(
         build_settings(
             "post", str(tmp_path / "a.apt"), given | {"tool": "5", "spindle": "9000", "cutter": "ball:10"}
@@ -387,8 +387,8 @@ def test_the_nc_head_takes_tool_speed_and_coolant_from_the_file_unless_the_optio
 def test_a_path_through_the_cl_file_and_back_gives_the_same_program(tmp_path) -> None:
     (tmp_path / "a.apt").write_bytes(CATIA)
     given = {"machine": "trunnion_ac", "cutter": "ball:12", "output": str(tmp_path / "a.ngc")}
-    made = job.make(build_settings("post", str(tmp_path / "a.apt"), given))
+    draft = job.make(build_settings("post", str(tmp_path / "a.apt"), given))
     (tmp_path / "b.apt").write_bytes(
-        write_apt(made.path, Cutter(12.0), "again", head=read_cl_file(CATIA).head)
+        write_apt(draft.path, Cutter(12.0), "again", head=read_cl_file(CATIA).head)
     )
-    assert job.make(build_settings("post", str(tmp_path / "b.apt"), given)).nc == made.nc
+    assert job.make(build_settings("post", str(tmp_path / "b.apt"), given)).nc == draft.nc

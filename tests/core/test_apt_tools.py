@@ -56,13 +56,13 @@ GOTO/3,0,1
 MACHINE = {"machine": "linuxcnc_xyzac_trt"}
 
 
-def _told(path: CLPath) -> list[tuple[str, Severity, int | None]]:
+def _list_reported(path: CLPath) -> list[tuple[str, Severity, int | None]]:
     return [(one.code, one.severity, one.line) for one in path.findings]
 
 
-def test_tools_that_only_names_tell_apart_are_told() -> None:
+def test_tools_that_only_names_tell_apart_are_reported() -> None:
     path = read_apt(NX)
-    assert _told(path) == [("several-tools", Severity.ERROR, 10)] and len(path.tip) == 5
+    assert _list_reported(path) == [("several-tools", Severity.ERROR, 10)] and len(path.tip) == 5
     assert "1 (T10), 2 (T8)" in path.findings[0].text and "--cl-tool" in path.findings[0].text
     nameless = NX.replace(",TOOL,", ",")
     assert "2 (MILL,8,4,80,0,0)" in read_apt(nameless).findings[0].text
@@ -91,14 +91,16 @@ def test_the_moves_of_the_tool_chosen_are_taken_with_their_axes_and_feeds(
     assert file.path.tip[:, 0].tolist() == x and np.allclose(file.path.axis, (0, 0.6, 0.8))
     assert file.path.feed[1:].tolist() == [500] * (len(x) - 1) and file.head.diameter == cutter
     assert (
-        _told(file.path) == [("tool-chosen", Severity.NOTE, None)]
+        _list_reported(file.path) == [("tool-chosen", Severity.NOTE, None)]
         and f"{len(x)} of 5" in file.path.findings[0].text
     )
 
 
 def test_by_number_with_what_stands_before_the_number() -> None:
     both = read_apt(CATIA)
-    assert ("several-tools", Severity.ERROR, 13) in _told(both) and "(3, 7)" in both.findings[-1].text
+    assert ("several-tools", Severity.ERROR, 13) in _list_reported(both) and "(3, 7)" in both.findings[
+        -1
+    ].text
     assert read_cl_file(CATIA).tools == (3, 7) and read_cl_file("GOTO/0,0,1\nGOTO/1,0,1\n").tools == ()
     file = read_cl_file(CATIA, ClReading(tool=7))
     assert [one.code for one in file.path.findings] == ["tool-chosen"]  # and no word of the other's tap
@@ -133,26 +135,26 @@ def test_nx_says_the_shape_of_the_cutter() -> None:
 
 def _post(tmp_path, text: str, **options: str) -> tuple[job.ProgramDraft, list[Finding]]:
     (tmp_path / "in.cls").write_text(text)
-    made = job.make(build_settings("post", str(tmp_path / "in.cls"), MACHINE | options))
-    return made, [one for one in made.findings if one.code.startswith("cutter")]
+    result = job.make(build_settings("post", str(tmp_path / "in.cls"), MACHINE | options))
+    return result, [one for one in result.findings if one.code.startswith("cutter")]
 
 
 def test_the_files_cutter_is_taken_where_none_is_given(tmp_path) -> None:
-    made, (found,) = _post(tmp_path, NX, cl_tool="2")
-    assert (made.settings.cutter.cutter.diameter, made.settings.cutter.cutter.corner) == (8, 4)
+    result, (found,) = _post(tmp_path, NX, cl_tool="2")
+    assert (result.settings.cutter.cutter.diameter, result.settings.cutter.cutter.corner) == (8, 4)
     assert (found.code, found.severity) == (
         "cutter-from-cl-file",
         Severity.NOTE,
     ) and "ball 8 mm" in found.text
-    made, (found,) = _post(tmp_path, NX, cl_tool="2", cutter="ball:10")
-    assert made.settings.cutter.cutter.diameter == 10 and found.code == "cutter-differs"
-    made, found = _post(tmp_path, "GOTO/1,2,3\nGOTO/2,2,3\n")
-    assert made.settings.cutter.cutter.diameter == 10 and found == []
+    result, (found,) = _post(tmp_path, NX, cl_tool="2", cutter="ball:10")
+    assert result.settings.cutter.cutter.diameter == 10 and found.code == "cutter-differs"
+    result, found = _post(tmp_path, "GOTO/1,2,3\nGOTO/2,2,3\n")
+    assert result.settings.cutter.cutter.diameter == 10 and found == []
 
 
 def test_the_command_line_chooses_the_tool_and_refuses_what_is_not_there(tmp_path, capsys) -> None:
     (tmp_path / "in.cls").write_text(NX)
-    asked = [
+    wanted = [
         "post",
         str(tmp_path / "in.cls"),
         "--machine",
@@ -161,11 +163,11 @@ def test_the_command_line_chooses_the_tool_and_refuses_what_is_not_there(tmp_pat
         str(tmp_path / "out.ngc"),
         "--quiet",
     ]
-    assert cli.main([*asked, "--cl-tool", "3"]) == 2
+    assert cli.main([*wanted, "--cl-tool", "3"]) == 2
     assert (
         "no tool 3; it has 1 (T10), 2 (T8)" in capsys.readouterr().err and not (tmp_path / "out.ngc").exists()
     )
-    assert cli.main([*asked, "--cl-tool", "2"]) == 0 and cli.main(asked) == 1
+    assert cli.main([*wanted, "--cl-tool", "2"]) == 0 and cli.main(wanted) == 1
 
 
 @pytest.mark.parametrize("option", [{"units": "mm"}, {"cl_tool": "1"}])
@@ -178,7 +180,7 @@ def test_a_part_has_neither_units_to_ask_for_nor_tools(option: dict[str, str]) -
 def test_an_audit_tells_what_is_wrong_with_the_cl_file(tmp_path) -> None:
     (tmp_path / "in.cls").write_text(NX.replace(",0,.6,.8", ""))
     (tmp_path / "p.ngc").write_text("G21 G0 X20 Y0 Z50 A0 C0\nG1 F500 X20 Y10 Z0\nM2\n")
-    asked = [
+    wanted = [
         "audit",
         str(tmp_path / "p.ngc"),
         "--machine",
@@ -187,12 +189,12 @@ def test_an_audit_tells_what_is_wrong_with_the_cl_file(tmp_path) -> None:
         str(tmp_path / "in.cls"),
     ]
     report = tmp_path / "r.json"
-    assert cli.main([*asked, "--quiet", "--report", str(report)]) == 1
+    assert cli.main([*wanted, "--quiet", "--report", str(report)]) == 1
     found = {one["code"]: one for one in json.loads(report.read_text())["findings"]}
     assert (
         found["several-tools"]["text"].startswith("CL file, line 10: The file changes tools")
         and "cl-rows-missed" in found
     )
     assert found["several-tools"].get("line") is None
-    assert cli.main([*asked, "--quiet", "--report", str(report), "--cl-tool", "2"]) == 0
+    assert cli.main([*wanted, "--quiet", "--report", str(report), "--cl-tool", "2"]) == 0
     assert {one["code"] for one in json.loads(report.read_text())["findings"]} >= {"tool-chosen"}

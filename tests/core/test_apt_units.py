@@ -24,24 +24,25 @@ def test_inches_are_inches(word: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "said", ["FEDRAT/10.0,IPM", "FEDRAT/IPR,.01", "SPINDL/300,SFM,CLW", "CYCLE/DRILL,DEPTH,1,IPM,5,CLEAR,.1"]
+    "message",
+    ["FEDRAT/10.0,IPM", "FEDRAT/IPR,.01", "SPINDL/300,SFM,CLW", "CYCLE/DRILL,DEPTH,1,IPM,5,CLEAR,.1"],
 )
-def test_a_file_that_speaks_of_inches_and_says_no_unit_is_told(said: str) -> None:
-    path = read_apt("SPINDL/500,CLW\nFEDRAT/5\nGOTO/0,0,1\n" + said + "\nFEDRAT/5\nGOTO/1,2,1\n")
+def test_a_file_that_speaks_of_inches_and_says_no_unit_is_reported(message: str) -> None:
+    path = read_apt("SPINDL/500,CLW\nFEDRAT/5\nGOTO/0,0,1\n" + message + "\nFEDRAT/5\nGOTO/1,2,1\n")
     (found,) = [one for one in path.findings if one.code == "units-not-said"]
     assert (found.severity, found.line) == (Severity.WARNING, 4)
-    assert "mm is taken" in found.text and said.replace(" ", "") in found.text and "--units" in found.text
+    assert "mm is taken" in found.text and message.replace(" ", "") in found.text and "--units" in found.text
 
 
 @pytest.mark.parametrize(
     "text",
     ["UNITS/MM\n" + SILENT, "UNIT/MM\n" + SILENT, SILENT.replace("IPM", "MMPM"), SILENT.replace(",IPM", "")],
 )
-def test_a_file_that_says_its_unit_or_nothing_of_inches_is_not_told(text: str) -> None:
+def test_a_file_that_says_its_unit_or_nothing_of_inches_is_not_reported(text: str) -> None:
     assert [found.code for found in read_apt(text).findings] == ["no-feed"]
 
 
-def test_what_is_asked_for_holds_until_the_file_says_its_own() -> None:
+def test_what_is_requested_holds_until_the_file_says_its_own() -> None:
     inch, mm = ClReading(5.0, units="inch"), ClReading(5.0, units="mm")
     assert np.allclose(read_apt(SILENT, inch).tip, 25.4 * read_apt(SILENT, mm).tip)
     assert read_apt(SILENT, inch).findings == read_apt(SILENT, mm).findings == ()
@@ -52,14 +53,14 @@ def test_what_is_asked_for_holds_until_the_file_says_its_own() -> None:
 
 def test_every_task_that_reads_a_cl_file_takes_the_units(tmp_path) -> None:
     (tmp_path / "in.apt").write_text(SILENT)
-    made = job.make(
+    draft = job.make(
         build_settings(
             "post",
             str(tmp_path / "in.apt"),
             {"machine": "linuxcnc_xyzac_trt", "units": "inch", "output": "x"},
         )
     )
-    assert made.program.words[-1, :3] == pytest.approx([25.4, 50.8, 25.4], abs=1e-3)
+    assert draft.program.words[-1, :3] == pytest.approx([25.4, 50.8, 25.4], abs=1e-3)
     for task in ("setup", "recover"):
         more = (
             {"machine_file": "m.fcm", "program": "p.nc"}
@@ -69,10 +70,10 @@ def test_every_task_that_reads_a_cl_file_takes_the_units(tmp_path) -> None:
         assert build_settings(task, "in.apt", {"units": "inch", **more}).reading.units == "inch"
 
 
-def test_an_audit_reads_program_and_cl_file_in_the_units_asked_for(tmp_path) -> None:
+def test_an_audit_reads_program_and_cl_file_in_the_units_requested(tmp_path) -> None:
     (tmp_path / "in.apt").write_text(SILENT.replace(",IPM", ""))
     (tmp_path / "p.ngc").write_text("G1 F10 X0 Y0 Z1 A0 C0\nX1 Y2 Z1\nM2\n")
-    asked = [
+    wanted = [
         "audit",
         str(tmp_path / "p.ngc"),
         "--machine",
@@ -81,6 +82,6 @@ def test_an_audit_reads_program_and_cl_file_in_the_units_asked_for(tmp_path) -> 
         str(tmp_path / "in.apt"),
         "--quiet",
     ]
-    assert cli.main([*asked, "--units", "inch"]) == 0
+    assert cli.main([*wanted, "--units", "inch"]) == 0
     (tmp_path / "p.ngc").write_text("G21\nG1 F10 X0 Y0 Z25.4 A0 C0\nX25.4 Y50.8 Z25.4\nM2\n")
-    assert cli.main([*asked, "--units", "inch"]) == 0 and cli.main(asked) == 1
+    assert cli.main([*wanted, "--units", "inch"]) == 0 and cli.main(wanted) == 1

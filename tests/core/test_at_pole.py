@@ -54,7 +54,7 @@ def test_where_the_pole_is_not_free_the_axis_stays():
     assert (found[1] == axis[1]).all() and found[[0, 2, 3]] == pytest.approx(np.tile(Z, (3, 1)))
 
 
-def test_what_does_not_come_near_is_not_asked():
+def test_what_does_not_come_near_is_not_requested():
     axis = leaning(40.0, 20.0, math.degrees(CONE) + 1.0)
     assert (taken(axis, lambda near: pytest.fail("asked")) == axis).all()
 
@@ -68,13 +68,13 @@ def test_on_a_flat_top_the_first_axis_turns_less_far(monkeypatch):
         "mill", "part", {"machine": "trunnion_ac", "cutter": "ball:8", "scallop": 0.4, "gouge": "off"}
     )
     keep_fields(monkeypatch)
-    turned, made = [], []
+    turned, result = [], []
     for take in (take_pole, lambda axis, *_: axis):
         monkeypatch.setattr(auto_axis, "take_pole", take)
-        made.append(job.make(settings, mesh=prism(ROOF, 16.0)))
-        turned.append(np.abs(np.diff(made[-1].program.words[:, 3])).sum())
+        result.append(job.make(settings, mesh=prism(ROOF, 16.0)))
+        turned.append(np.abs(np.diff(result[-1].program.words[:, 3])).sum())
     at_pole = []
-    for one in made:
+    for one in result:
         lean = np.degrees(np.arccos(np.clip(one.axis[:, 2], -1.0, 1.0)))
         at_pole.append((lean[lean < 5.0] < 1e-4).mean())
     assert at_pole == [1.0, 0.0] and turned[0] < 0.9 * turned[1], turned

@@ -342,7 +342,7 @@ def test_the_reports_of_an_audit_name_it_all(tmp_path):
     assert float(rows[3]["excess"]) == pytest.approx(numbers["max_limit_excess"], abs=1e-6)
 
 
-def test_a_program_made_here_is_within_limits_and_rates(tmp_path):
+def test_a_program_built_here_is_within_limits_and_rates(tmp_path):
     cl = tmp_path / "p.apt"
     turn = np.linspace(0.0, 2.0, 40)
     rows = np.column_stack(
@@ -374,7 +374,7 @@ def test_a_program_made_here_is_within_limits_and_rates(tmp_path):
         assert np.median(feeds) == pytest.approx(2000, rel=2e-3)
 
 
-def test_a_heidenhain_program_is_not_told_of_inverse_time(tmp_path):
+def test_a_heidenhain_program_is_not_reported_of_inverse_time(tmp_path):
     source = tmp_path / "p.h"
     source.write_text(
         "0 BEGIN PGM P MM\n1 L X+0 Y+0 Z+300 A+0 C+0 FMAX\n2 L X+10 F600\n3 L X+10.5 A+30 F600\n4 END PGM P MM\n"

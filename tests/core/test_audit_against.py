@@ -151,7 +151,7 @@ def test_fewer_pieces_than_are_proven_enough_would_be_noticed():
 
 
 @pytest.mark.parametrize("shape", [box, sphere], ids=["box", "sphere"])
-def test_inside_and_outside_are_told_apart_at_edges_and_corners(shape):
+def test_inside_and_outside_are_distinguished_at_edges_and_corners(shape):
     mesh = from_triangles(shape())
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
     middle = mesh.vertex.mean(axis=0)
@@ -174,8 +174,8 @@ def test_inside_and_outside_are_told_apart_at_edges_and_corners(shape):
 
 def test_a_program_that_keeps_to_its_path_has_no_findings_but_its_deviation():
     tip, axis = dome()
-    told = compare(words_of(tip, axis), path_of(tip, axis), 1.0)
-    assert told.findings == () and told.end.max() < 2e-4 and math.degrees(told.axis.max()) < 1e-3
+    reported = compare(words_of(tip, axis), path_of(tip, axis), 1.0)
+    assert reported.findings == () and reported.end.max() < 2e-4 and math.degrees(reported.axis.max()) < 1e-3
 
 
 @pytest.mark.parametrize("tolerance", [0.1, 0.01, 0.001])
@@ -185,28 +185,28 @@ def test_the_distance_is_that_of_dense_samples_and_brute_force(tolerance):
     words = words_of(tip, axis)
     words[40:60, :3] += rng.normal(size=(20, 3)) * 0.3
     path = path_of(tip, axis)
-    told = compare(words, path, tolerance)
+    reported = compare(words, path, tolerance)
 
     def near(value):
         return max(0.11 * tolerance, 1.1e-3 * value)
 
     u = np.linspace(0, 1, 301)
     for at in [*range(38, 62), 5, 100]:
-        row = int(told.block[at])
+        row = int(reported.block[at])
         real = tip_at(
             LINKS, np.repeat(words[row - 1 : row], 301, 0), np.repeat(words[row : row + 1], 301, 0), u
         )
         brute = to_segments(real, tip[:-1], tip[1:]).max()
-        assert told.bound[at] >= brute - 1e-9
-        assert told.off[at] <= brute + 1e-3
+        assert reported.bound[at] >= brute - 1e-9
+        assert reported.off[at] <= brute + 1e-3
         if brute > 1.2 * tolerance:
-            assert told.off[at] >= brute - near(brute)
-            assert told.bound[at] <= told.off[at] + near(brute)
+            assert reported.off[at] >= brute - near(brute)
+            assert reported.bound[at] <= reported.off[at] + near(brute)
     # what is not over the tolerance is proven so, to a tenth
-    within = told.off <= tolerance
+    within = reported.off <= tolerance
     assert (
         within.sum() > (100 if tolerance == 0.1 else -1)
-        and (told.bound[within] <= 1.1 * tolerance + 1e-9).all()
+        and (reported.bound[within] <= 1.1 * tolerance + 1e-9).all()
     )
 
 
@@ -216,11 +216,11 @@ def test_one_shifted_block_is_named_with_its_distance_and_its_row_is_missed():
     normal = axis[60]
     moved = tip.copy()
     moved[60] += 0.3 * normal
-    told = compare(words_of(moved, axis), path_of(tip, axis), 0.1)
-    assert codes(told) == ["off-cl-path", "cl-rows-missed"]
-    off, missed = told.findings
+    reported = compare(words_of(moved, axis), path_of(tip, axis), 0.1)
+    assert codes(reported) == ["off-cl-path", "cl-rows-missed"]
+    off, missed = reported.findings
     assert off.value == pytest.approx(0.3, abs=0.02) and off.line in (62, 63, 64)
-    assert told.missed.tolist() == [60] and missed.value == pytest.approx(0.3, abs=0.02)
+    assert reported.missed.tolist() == [60] and missed.value == pytest.approx(0.3, abs=0.02)
     assert compare(words, path_of(tip, axis), 0.1).findings == ()
 
 
@@ -232,9 +232,9 @@ def test_a_way_of_the_posts_own_is_a_note_and_one_into_the_part_an_error():
     for way, code in ((out, "way-not-in-cl-path"), (-out, "off-cl-path")):
         tips = np.concatenate([tip[:41], tip[40] + way, tip[40:]])
         axes = np.concatenate([axis[:41], np.repeat(axis[40:41], 4, 0), axis[40:]])
-        told = compare(words_of(tips, axes), path_of(tip, axis), 0.1)
-        assert codes(told) == [code]
-        assert told.findings[0].line == 44 + 1 or told.findings[0].value == pytest.approx(
+        reported = compare(words_of(tips, axes), path_of(tip, axis), 0.1)
+        assert codes(reported) == [code]
+        assert reported.findings[0].line == 44 + 1 or reported.findings[0].value == pytest.approx(
             np.hypot(20, 5), rel=0.05
         )
 
@@ -242,15 +242,17 @@ def test_a_way_of_the_posts_own_is_a_note_and_one_into_the_part_an_error():
 def test_a_missing_pass_is_missed_rows():
     tip, axis = dome()
     keep = np.r_[0 : 2 * POINTS, 3 * POINTS : PASSES * POINTS]
-    told = compare(words_of(tip[keep], axis[keep]), path_of(tip, axis), 0.1)
+    reported = compare(words_of(tip[keep], axis[keep]), path_of(tip, axis), 0.1)
     # the block that leads over the gap passes the ends of the pass, which are rows too
-    assert set(told.missed) == set(range(2 * POINTS, 3 * POINTS)) - set(range(3 * POINTS)) | set(told.missed)
+    assert set(reported.missed) == set(range(2 * POINTS, 3 * POINTS)) - set(range(3 * POINTS)) | set(
+        reported.missed
+    )
     assert (
         set(range(2 * POINTS + 1, 3 * POINTS - 1))
-        <= set(told.missed.tolist())
+        <= set(reported.missed.tolist())
         <= set(range(2 * POINTS, 3 * POINTS))
     )
-    (missed,) = [one for one in told.findings if one.code == "cl-rows-missed"]
+    (missed,) = [one for one in reported.findings if one.code == "cl-rows-missed"]
     assert missed.value == pytest.approx(1.5, abs=0.01)  # the stepover
 
 
@@ -258,8 +260,8 @@ def test_a_block_on_the_next_pass_is_seen_by_the_row_that_it_misses():
     tip, axis = dome()
     moved = tip.copy()
     moved[40] = tip[2 * POINTS + 9]  # straight across: row 40 is at 9 steps from the end of pass 1
-    told = compare(words_of(moved, axis), path_of(tip, axis), 0.1)
-    assert told.missed.tolist() == [40]
+    reported = compare(words_of(moved, axis), path_of(tip, axis), 0.1)
+    assert reported.missed.tolist() == [40]
 
 
 def test_a_turned_tool_is_named_with_its_angle():
@@ -268,8 +270,8 @@ def test_a_turned_tool_is_named_with_its_angle():
     side = np.cross(axis[70], tip[71] - tip[70])
     side /= np.linalg.norm(side)
     leaned[70] = math.cos(math.radians(1.5)) * axis[70] + math.sin(math.radians(1.5)) * side
-    told = compare(words_of(tip, leaned), path_of(tip, axis), 1.0)
-    (found,) = told.findings
+    reported = compare(words_of(tip, leaned), path_of(tip, axis), 1.0)
+    (found,) = reported.findings
     assert (
         found.code == "axis-off-cl-path" and found.line == 73 and found.value == pytest.approx(1.5, abs=1e-3)
     )
@@ -284,19 +286,19 @@ def test_between_the_rows_the_axis_is_that_of_the_great_arc():
         np.sin((1 - share) * turn)[:, None] * axis[0] + np.sin(share * turn)[:, None] * axis[1]
     ) / math.sin(turn)
     places = tip[0] + share[:, None] * (tip[1] - tip[0])
-    told = compare(words_of(places, arc), path_of(tip, axis), 5.0)
-    assert math.degrees(told.axis.max()) < 1e-3
+    reported = compare(words_of(places, arc), path_of(tip, axis), 5.0)
+    assert math.degrees(reported.axis.max()) < 1e-3
     straight = axis[0] + share[:, None] * (axis[1] - axis[0])  # a lerp would be noticed
     straight /= np.linalg.norm(straight, axis=1)[:, None]
     assert math.degrees(np.linalg.norm(straight - arc, axis=1).max()) > 0.02
 
 
-def test_leaving_between_good_ends_is_said_so():
+def test_leaving_between_good_ends_is_stated_so():
     tip, axis = dome()
     pick = np.r_[0:POINTS:12]
-    told = compare(words_of(tip[pick], axis[pick]), path_of(tip[pick], axis[pick]), 0.1)
-    assert codes(told) == ["between-cl-rows"] and told.end.max() < 1e-3
-    assert told.off.max() == pytest.approx(
+    reported = compare(words_of(tip[pick], axis[pick]), path_of(tip[pick], axis[pick]), 0.1)
+    assert codes(reported) == ["between-cl-rows"] and reported.end.max() < 1e-3
+    assert reported.off.max() == pytest.approx(
         measure(LINKS, words_of(tip[pick], axis[pick])).segment.max(), abs=0.011
     )
 
@@ -306,15 +308,15 @@ def test_guided_blocks_are_taken_to_go_straight():
     pick = np.r_[0:POINTS:12]
     words = words_of(tip[pick], axis[pick])
     guided = Guided(np.ones(len(words), bool), tip[pick])
-    told = compare(words, path_of(tip[pick], axis[pick]), 0.1, program_of(words, guided=guided))
-    assert told.findings == () and told.off.max() < 1e-3
+    reported = compare(words, path_of(tip[pick], axis[pick]), 0.1, program_of(words, guided=guided))
+    assert reported.findings == () and reported.off.max() < 1e-3
 
 
 def test_a_program_without_feed_blocks_misses_all_rows():
     tip, axis = dome()
     words = words_of(tip[:3], axis[:3])
-    told = compare(words, path_of(tip, axis), 0.1, program_of(words, np.full(3, Motion.RAPID, np.int8)))
-    assert len(told.missed) == len(tip) - 1 and codes(told) == ["cl-rows-missed"]
+    reported = compare(words, path_of(tip, axis), 0.1, program_of(words, np.full(3, Motion.RAPID, np.int8)))
+    assert len(reported.missed) == len(tip) - 1 and codes(reported) == ["cl-rows-missed"]
 
 
 def test_posted_for_a_pivot_half_a_millimetre_off_is_off_by_what_the_hand_computes(tmp_path):
@@ -392,10 +394,10 @@ def test_the_depth_is_that_of_dense_samples_and_brute_force_over_facets():
     rng = np.random.default_rng(3)
     tip = tip - (3.8 + rng.uniform(-0.2, 0.4, len(tip)))[:, None] * axis
     words = words_of(tip, axis)
-    told = against_part(LINKS, program_of(words), mesh, 4.0, 0.02)
+    reported = against_part(LINKS, program_of(words), mesh, 4.0, 0.02)
     corner = mesh.vertex[mesh.face]
     for at in (3, 60, 120):
-        row = int(told.block[at])
+        row = int(reported.block[at])
         both = (
             np.repeat(words[row - 1 : row], 61, 0),
             np.repeat(words[row : row + 1], 61, 0),
@@ -403,16 +405,16 @@ def test_the_depth_is_that_of_dense_samples_and_brute_force_over_facets():
         )
         centre = tip_at(LINKS, *both) + 4.0 * axis_at(LINKS, *both)
         brute = (4.0 - to_facets(centre, corner)).max()
-        assert told.bound[at] >= brute - 1e-9
+        assert reported.bound[at] >= brute - 1e-9
         if brute > 0.024:
-            assert told.depth[at] == pytest.approx(brute, abs=0.0025)
+            assert reported.depth[at] == pytest.approx(brute, abs=0.0025)
         else:
-            assert told.depth[at] <= brute + 1e-3
-    (found,) = told.findings
+            assert reported.depth[at] <= brute + 1e-3
+    (found,) = reported.findings
     assert (
         found.code == "overcut"
-        and found.value == pytest.approx(told.depth.max())
-        and found.line == told.block[told.depth.argmax()] + 3
+        and found.value == pytest.approx(reported.depth.max())
+        and found.line == reported.block[reported.depth.argmax()] + 3
     )
 
 
@@ -422,7 +424,7 @@ def test_the_deepest_place_between_two_clear_ends_is_found():
     words = np.array([[-15.0, 0, 18.0, 0, 0], [15.0, 0, 18.0, 0, 0]])
     shift = tip_at(LINKS, words[:1], words[:1], np.zeros(1))[0] - words[0, :3]
     np.testing.assert_allclose(shift, 0.0, atol=1e-9)  # words are work coordinates at A0 C0
-    told = against_part(LINKS, program_of(words), mesh, 2.0, 0.01)
+    reported = against_part(LINKS, program_of(words), mesh, 2.0, 0.01)
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
     ends = (
         search(
@@ -439,16 +441,16 @@ def test_the_deepest_place_between_two_clear_ends_is_found():
     )
     assert (
         exact > 1.9
-        and told.depth[0] == pytest.approx(exact, abs=0.03)
-        and told.clearance == pytest.approx(ends.max(), abs=1e-9)
+        and reported.depth[0] == pytest.approx(exact, abs=0.03)
+        and reported.clearance == pytest.approx(ends.max(), abs=1e-9)
     )
 
 
 def test_a_centre_inside_the_part_counts_as_deeper_than_the_radius():
     mesh = ball(20.0)
     words = np.array([[-1.0, 0, 5.0, 0, 0], [1.0, 0, 5.0, 0, 0]])
-    told = against_part(LINKS, program_of(words), mesh, 2.0, 0.01)
-    assert told.depth[0] == pytest.approx(2.0 + 20.0 - 7.0, rel=0.02)
+    reported = against_part(LINKS, program_of(words), mesh, 2.0, 0.01)
+    assert reported.depth[0] == pytest.approx(2.0 + 20.0 - 7.0, rel=0.02)
 
 
 def test_a_path_that_touches_the_part_is_no_overcut_and_a_hundredth_lower_is(tmp_path):
@@ -463,7 +465,7 @@ def test_a_path_that_touches_the_part_is_no_overcut_and_a_hundredth_lower_is(tmp
         assert result.audit.part.depth.max() == pytest.approx(10.0 - z, abs=1e-6)
 
 
-def test_far_inside_and_far_outside_are_told_apart_whatever_way_the_places_come():
+def test_far_inside_and_far_outside_are_distinguished_whatever_way_the_places_come():
     mesh, rng = ball(20.0), np.random.default_rng(5)
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
     pieces, way = facets.pieces(), np.linspace(-40, 40, 300)
@@ -500,7 +502,7 @@ def test_any_cutter_is_held_against_the_part(tmp_path, cutter):
     assert "--origin" in found[0].text and found[0].line == result.draft.program.line[found[0].block]
 
 
-def test_holder_and_rapids_of_a_program_are_checked_where_they_are_asked_for(tmp_path):
+def test_holder_and_rapids_of_a_program_are_checked_where_they_are_requested(tmp_path):
     lines = "G1 X-4 Y10 Z0 F600\nG1 Y20\nG0 X20 Z9\nG1 Z60"
     alone = audited(tmp_path, lines, cutter="ball:6:8", gouge="off")
     with_all = audited(tmp_path, lines, cutter="ball:6:8", holder="30x20")
@@ -517,10 +519,11 @@ def test_holder_and_rapids_of_a_program_are_checked_where_they_are_asked_for(tmp
 
 def test_an_audit_with_the_gouge_check_off_says_so_and_one_without_a_part_checks_nothing(tmp_path):
     clear = "G0 Z90\nG1 X20 F600"
-    told = {how: as_json(job.figures(audited(tmp_path, clear, cutter="ball:6", **how_))) for how, how_ in
+    reported = {how: as_json(job.figures(audited(tmp_path, clear, cutter="ball:6", **how_))) for how, how_ in
             {"": {}, "off": {"gouge": "off"}}.items()}  # fmt: skip
     assert (
-        "only the cutter's own feed moves were checked" in told["off"] and "only the cutter" not in told[""]
+        "only the cutter's own feed moves were checked" in reported["off"]
+        and "only the cutter" not in reported[""]
     )
     assert build_settings("audit", "p.ngc", {"machine": "trunnion_ac"}).gouge.gouge == "off"
     assert (
@@ -530,10 +533,10 @@ def test_an_audit_with_the_gouge_check_off_says_so_and_one_without_a_part_checks
 
 
 @pytest.mark.parametrize(
-    ("options", "said"),
+    ("options", "message"),
     [({"gouge": "lift", "against": "a.stl"}, "use it with `mill`"), ({"gouge": "report"}, "--against"), ({"holder": "30x20"}, "--against"),
      ({"gouge": "report", "against": "a.apt"}, "--against")],
 )  # fmt: skip
-def test_an_audit_needs_the_part_for_the_gouge_check_and_cures_nothing(options, said):
-    with pytest.raises(FiveAxisError, match=said):
+def test_an_audit_needs_the_part_for_the_gouge_check_and_cures_nothing(options, message):
+    with pytest.raises(FiveAxisError, match=message):
         build_settings("audit", "p.ngc", {"machine": "trunnion_ac", **options})

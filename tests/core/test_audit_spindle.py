@@ -12,12 +12,12 @@ MOVES = "G21 G90\nG0 X0 Y0 Z10 A0 C0\n{before}\nG1 Z0 F100\nX5\n{after}\n{end}\n
 def found_in(tmp_path, before="", after="", end="M30", text=MOVES):
     nc = tmp_path / "part.ngc"
     nc.write_text(text.format(before=before, after=after, end=end))
-    made = job.make(build_settings("audit", str(nc), {"machine": "trunnion_ac"}))
-    return [one.line for one in made.findings if one.code == "spindle-off"]
+    draft = job.make(build_settings("audit", str(nc), {"machine": "trunnion_ac"}))
+    return [one.line for one in draft.findings if one.code == "spindle-off"]
 
 
 @pytest.mark.parametrize("before", ["", "M5", "S800", "(M3 S800)", "; M3 S800", "G4 P3"])
-def test_what_does_not_start_the_spindle_is_told_with_the_first_line_that_feeds(tmp_path, before):
+def test_what_does_not_start_the_spindle_is_reported_with_the_first_line_that_feeds(tmp_path, before):
     assert found_in(tmp_path, before) == [4]
 
 

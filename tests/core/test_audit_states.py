@@ -106,7 +106,7 @@ def test_the_power_of_a_laser_is_no_speed(tmp_path):
     assert in_iso(tmp_path, head="M3 S0", middle="G1 X1 S800\nG1 X2 S0\nG1 X3 S500", controller="grbl") == []
 
 
-def test_a_spindle_that_turns_to_the_left_is_told(tmp_path):
+def test_a_spindle_that_turns_to_the_left_is_reported(tmp_path):
     assert in_iso(tmp_path, head="T1 M6\nG43 H1\nS800 M4") == [("spindle-reversed", 6, 3.0)]
     assert in_klartext(tmp_path, head="TOOL CALL 1 Z S800\nM14")[0][0] == "spindle-reversed"
     assert in_iso(tmp_path, middle="M14", controller="fanuc") == [], "it may clamp an axis"
@@ -139,8 +139,8 @@ def test_the_length_is_that_of_the_tool_in_the_spindle(tmp_path):
 
 
 def test_a_rule_of_the_shop_is_worth_a_note(tmp_path):
-    made = audit(tmp_path, ISO.format(head="T3 M6\nG43 H103\nS800 M3", middle="", tail="M5"), "fanuc")
-    assert [one.severity for one in made.findings if one.code == "tool-length-other"] == [Severity.NOTE]
+    result = audit(tmp_path, ISO.format(head="T3 M6\nG43 H103\nS800 M3", middle="", tail="M5"), "fanuc")
+    assert [one.severity for one in result.findings if one.code == "tool-length-other"] == [Severity.NOTE]
 
 
 def test_siemens_and_heidenhain_take_the_length_with_the_tool(tmp_path):
@@ -159,8 +159,8 @@ def test_what_is_not_read_is_assumed(tmp_path):
 
 
 def guide_left_on(folder, text, controller):
-    made = audit(folder, text, controller)
-    return [(one.line, one.severity) for one in made.findings if one.code == "guide-not-ended"]
+    result = audit(folder, text, controller)
+    return [(one.line, one.severity) for one in result.findings if one.code == "guide-not-ended"]
 
 
 @pytest.mark.parametrize(
@@ -201,8 +201,8 @@ def test_the_dynamic_offset_of_haas_ends_before_axes_go_home(tmp_path):
 
 
 def without_end(folder, text, controller):
-    made = audit(folder, text, controller)
-    return [one.severity for one in made.findings if one.code == "program-without-end"]
+    result = audit(folder, text, controller)
+    return [one.severity for one in result.findings if one.code == "program-without-end"]
 
 
 def test_a_program_has_an_end(tmp_path):

@@ -58,7 +58,7 @@ def audited(nc, machine="trunnion_ac", **options):
 
 
 @pytest.mark.parametrize("machine", ["trunnion_ac", "fork_head_bc", "head_b_table_c"])
-def test_radians_are_told_alone_and_against_the_cl_file(tmp_path, machine):
+def test_radians_are_reported_alone_and_against_the_cl_file(tmp_path, machine):
     apt, nc = posted(tmp_path, machine)
     assert audited(nc, machine) == audited(nc, machine, against=str(apt)) == []
     in_radians(nc)
@@ -66,7 +66,7 @@ def test_radians_are_told_alone_and_against_the_cl_file(tmp_path, machine):
     assert found.unit == "deg" and found.limit > 20.0 > found.value and "radians" in found.text
 
 
-def test_radians_are_told_by_the_way_of_the_tip(tmp_path):
+def test_radians_are_reported_by_the_way_of_the_tip(tmp_path):
     _, nc = posted(tmp_path, "fork_head_bc")
     in_radians(nc)
     (found,) = audited(nc, "fork_head_bc")
@@ -79,14 +79,14 @@ def test_small_angles_in_degrees_are_no_radians(tmp_path):
 
 
 @pytest.mark.parametrize("machine", ["trunnion_ac", "fork_head_bc"])
-def test_a_cl_file_25_times_as_large_is_told(tmp_path, machine):
+def test_a_cl_file_25_times_as_large_is_reported(tmp_path, machine):
     apt, nc = posted(tmp_path, machine)
     apt.write_text(cl_text(head="UNITS/INCHES\n"))
     (found,) = audited(nc, machine, against=str(apt))
     assert found.limit == pytest.approx(25.4 * found.value, rel=0.02) and "--units" in found.text
 
 
-def test_a_program_in_inches_with_numbers_of_mm_is_told_by_the_travel_and_by_the_part(tmp_path):
+def test_a_program_in_inches_with_numbers_of_mm_is_reported_by_the_travel_and_by_the_part(tmp_path):
     nc = tmp_path / "part.ngc"
     nc.write_text(
         "G20 G90\nG0 X0 Y0 Z60 A0 C0\nG1 Z0 F10\nX50\nY40\n" + "".join(f"X{k}\n" for k in range(20)) + "M30\n"

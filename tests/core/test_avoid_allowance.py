@@ -55,7 +55,7 @@ PARTS = {"wall": (step(), wall_of), "floor": (step(), floor_of), "plate": (from_
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory):
+def outcome(tmp_path_factory):
     """The proven program of a part some of whose faces are avoided."""
     folder = tmp_path_factory.mktemp("avoided")
     known = {}
@@ -100,12 +100,12 @@ def codes(result):
 
 @pytest.mark.parametrize("axis", ["auto", "facet_mean"])
 @some_in_core("name", list(PARTS), kept=(2,))
-def test_on_its_real_way_the_ball_keeps_the_allowance_and_without_one_it_comes_nearer(made, name, axis):
-    result = made(name, 1.0, tool_axis=axis)
+def test_on_its_real_way_the_ball_keeps_the_allowance_and_without_one_it_comes_nearer(outcome, name, axis):
+    result = outcome(name, 1.0, tool_axis=axis)
     near = nearest_way(result, name)
     assert 4.0 - TOLERANCE <= near < 4.0 + 0.05, "and no farther off than it must"
     assert "avoided-faces-near" not in codes(result)
-    assert nearest_way(made(name, 0.0, tool_axis=axis), name) < 3.0 + 0.05
+    assert nearest_way(outcome(name, 0.0, tool_axis=axis), name) < 3.0 + 0.05
 
 
 @some_in_core("options", [
@@ -113,10 +113,10 @@ def test_on_its_real_way_the_ball_keeps_the_allowance_and_without_one_it_comes_n
     {"links": "over"}, {"lead_in": 1.0}, {"gouge": "tilt", "tool_axis": "facet_mean"}, {"gouge": "leave-out"}, {"rapids": "independent"},
     {"steep_shallow": np.radians(45.0)},
 ], ids=lambda given: "-".join(map(str, given.values())))  # fmt: skip
-def test_whatever_lays_the_passes_and_links_them_the_allowance_is_kept(made, options):
+def test_whatever_lays_the_passes_and_links_them_the_allowance_is_kept(outcome, options):
     if "stepover" in options:
         options = {**options, "scallop": None}
-    result = made("wall", 1.0, **options)
+    result = outcome("wall", 1.0, **options)
     assert 4.0 - TOLERANCE <= nearest_way(result, "wall", 20) < 4.2
     assert not {"avoided-faces-near", "avoided-faces-unproven", "overcut", "rapid-collision"} & set(
         codes(result)
@@ -152,19 +152,20 @@ def heights(result, mesh, some):
 
 @pytest.mark.thorough
 @some_in_core("name", list(PARTS))
-def test_everywhere_else_it_cuts_as_before(made, name):
+def test_everywhere_else_it_cuts_as_before(outcome, name):
     mesh, find = PARTS[name]
     with_room, without = (
-        heights(made(name, room, tool_axis="auto", passes="scallop"), mesh, find(mesh)) for room in (1.0, 0.0)
+        heights(outcome(name, room, tool_axis="auto", passes="scallop"), mesh, find(mesh))
+        for room in (1.0, 0.0)
     )
     finished = [float(np.mean(one <= 0.2 + TOLERANCE)) for one in (with_room, without)]
     assert finished[0] > 0.985 and finished[0] > finished[1] - 0.01
 
 
-def test_the_strip_is_told_with_its_area_and_the_verdict_names_it(made):
+def test_the_strip_is_reported_with_its_area_and_the_verdict_names_it(outcome):
     """4 mm of the floor 40 mm long, and of shelf and ends where the ball over them is no more than 4 mm from
     the wall."""
-    result = made("wall", 1.0, tool_axis="facet_mean")
+    result = outcome("wall", 1.0, tool_axis="facet_mean")
     (strip,) = [one for one in result.findings if one.code == "near-avoided-faces"]
     aside = np.sqrt(4.0**2 - 3.0**2)
     end = 6.0 * aside + 0.5 * np.pi * aside**2
@@ -174,11 +175,11 @@ def test_the_strip_is_told_with_its_area_and_the_verdict_names_it(made):
     assert any(
         "keep 1 mm off the faces to avoid" in str(one) for one in scope(figures, summary(figures)).proven
     )
-    assert "near-avoided-faces" not in codes(made("wall", 0.0, tool_axis="auto"))
+    assert "near-avoided-faces" not in codes(outcome("wall", 0.0, tool_axis="auto"))
 
 
 @pytest.mark.thorough
-def test_shank_and_holder_keep_off_too(made):
+def test_shank_and_holder_keep_off_too(outcome):
     """A holder as wide as it is near: upright over the floor it stands beside the wall's top."""
     options = {
         "cutter": "ball:6:4",
@@ -186,19 +187,19 @@ def test_shank_and_holder_keep_off_too(made):
         "tool_axis": "facet_mean",
         "max_axis_angle": np.radians(30.0),
     }
-    result = made("wall", 1.0, **options)
-    made_ = result.draft
+    result = outcome("wall", 1.0, **options)
+    result_ = result.draft
     assert not {"avoided-faces-near"} & set(codes(result))
-    q, u = words_to_q(made_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
-    tip, axis = forward(made_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
+    q, u = words_to_q(result_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
+    tip, axis = forward(result_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
     beside = (np.abs(axis[:, 2] - 1.0) < 1e-9) & (tip[:, 2] + 4.0 < 6.0)
     assert beside.any() and tip[beside, 1].max() <= -13.0 + TOLERANCE
-    assert made("wall", 0.0, **options).draft.program.words[:, 1].max() is not None
+    assert outcome("wall", 0.0, **options).draft.program.words[:, 1].max() is not None
 
 
-def test_the_proof_finds_a_program_that_comes_nearer(made):
+def test_the_proof_finds_a_program_that_comes_nearer(outcome):
     """The program without an allowance, looked at with one."""
-    result = made("wall", 0.0, tool_axis="auto")
+    result = outcome("wall", 0.0, tool_axis="auto")
     context = result.draft.context(silent)
     mesh, find = PARTS["wall"]
     object.__setattr__(context, "keep_off", KeepOff.of(mesh, find(mesh), 1.0, 3.0))
@@ -209,8 +210,8 @@ def test_the_proof_finds_a_program_that_comes_nearer(made):
 
 
 @pytest.mark.thorough
-def test_an_allowance_of_nothing_gives_the_same_bytes(made, tmp_path):
-    part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
+def test_an_allowance_of_nothing_gives_the_same_bytes(outcome, tmp_path):
+    part, faces = (str(outcome.folder / name) for name in ("wall.stl", "wall_faces.stl"))
     given = [
         "mill",
         part,
@@ -229,35 +230,35 @@ def test_an_allowance_of_nothing_gives_the_same_bytes(made, tmp_path):
     assert (tmp_path / "one.ngc").read_bytes() == (tmp_path / "two.ngc").read_bytes()
 
 
-@pytest.mark.parametrize(("allowance", "avoid", "said"), [
+@pytest.mark.parametrize(("allowance", "avoid", "message"), [
     ("-1", True, "avoid-allowance"), ("500", True, "larger than the part"), ("1", False, "there are none: give them with --avoid"),
     ("nan", True, "avoid-allowance"), ("59", True, "nothing of what is to be machined can be cut"),
 ])  # fmt: skip
 @pytest.mark.parametrize("task", ["mill", "reach"])
 def test_bad_allowances_are_refused_in_one_line_and_leave_no_file(
-    made, tmp_path, capsys, allowance, avoid, said, task
+    outcome, tmp_path, capsys, allowance, avoid, message, task
 ):
-    part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
+    part, faces = (str(outcome.folder / name) for name in ("wall.stl", "wall_faces.stl"))
     given = [task, part, "--machine", "trunnion_ac", "--cutter", "ball:6", f"--avoid-allowance={allowance}"]
     given += ["--avoid", faces] if avoid else []
     out = tmp_path / "out.ngc"
     assert main([*given, *(["-o", str(out)] if task == "mill" else [])]) == 2
     err = capsys.readouterr().err
-    assert said in err and len(err.strip().splitlines()) <= 3 and not out.exists()
+    assert message in err and len(err.strip().splitlines()) <= 3 and not out.exists()
 
 
-def test_cutters_with_a_ring_keep_off_with_the_whole_of_it(made):
-    result = made("wall", 1.0, cutter="bull:8:1", tool_axis="facet_mean", max_axis_angle=np.radians(30.0))
-    made_ = result.draft
-    q, u = words_to_q(made_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
-    tip, axis = forward(made_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
+def test_cutters_with_a_ring_keep_off_with_the_whole_of_it(outcome):
+    result = outcome("wall", 1.0, cutter="bull:8:1", tool_axis="facet_mean", max_axis_angle=np.radians(30.0))
+    result_ = result.draft
+    q, u = words_to_q(result_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
+    tip, axis = forward(result_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
     upright = (np.abs(axis[:, 2] - 1.0) < 1e-9) & (tip[:, 2] < 5.0)
     assert upright.any() and -9.0 < tip[upright, 1].max() <= -5.0 + TOLERANCE
     assert "avoided-faces-near" not in codes(result)
 
 
-def test_reach_leaves_out_what_the_cutter_cannot_touch_for_the_allowance(made):
-    part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
+def test_reach_leaves_out_what_the_cutter_cannot_touch_for_the_allowance(outcome):
+    part, faces = (str(outcome.folder / name) for name in ("wall.stl", "wall_faces.stl"))
     given = {"machine": "trunnion_ac", "cutter": "ball:6", "avoid": faces}
     plain, trial = (
         try_reach(build_settings("reach", part, {**given, "avoid_allowance": room})) for room in (0.0, 1.0)

@@ -363,7 +363,7 @@ def test_single_contacts_without_a_free_axis_are_a_note(held, severity):
 
 
 @pytest.mark.thorough
-def test_where_no_axis_is_free_the_given_one_stays_and_is_told_apart_and_counted():
+def test_where_no_axis_is_free_the_given_one_stays_and_is_distinguished_and_counted():
     """The holder does not go into the slot, and within 20 deg the tool cannot lean out of its ends."""
     path, given, (axis, free, findings), _, _ = milled(deep_slot, 20.0, nodes=NODES)
     floor = (
@@ -396,7 +396,7 @@ def test_rows_are_put_between_those_of_wide_facets_so_that_the_field_is_followed
 
 
 @pytest.mark.parametrize("count", [0, 1, module.IN_CACHE, 2 * module.IN_CACHE + 1])
-def test_the_nearest_free_direction_is_the_one_of_the_largest_cosine_however_many_are_asked(count):
+def test_the_nearest_free_direction_is_the_one_of_the_largest_cosine_however_many_are_requested(count):
     random = np.random.default_rng(count)
     direction, axis, normal = (module.unit(random.normal(size=(k, 3))) for k in (7, count, count))
     free, upright = random.random((count, 7)) < 0.2, random.random(count) < 0.2
@@ -422,19 +422,19 @@ def test_what_stands_above_the_whole_part_is_found_by_its_support_and_the_answer
     facet = random.choice(len(mesh.face), 4000, p=mesh.area / mesh.area.sum())
     point, normal = mesh.vertex[mesh.face[facet]].mean(axis=1), mesh.normal[facet]
     axis = module.unit(normal + module.unit(random.normal(size=(4000, 3))))
-    asked, enters = [0], obstacles_module.enters
+    wanted, enters = [0], obstacles_module.enters
 
     def counted(body, tree, tip, *more):
-        asked[0] += len(tip)
+        wanted[0] += len(tip)
         return enters(body, tree, tip, *more)
 
     monkeypatch.setattr(obstacles_module, "enters", counted)
     plain = obstacles(reacher, tree, point, normal, axis)
-    most, asked[0] = asked[0], 0
+    most, wanted[0] = wanted[0], 0
     np.testing.assert_array_equal(
         obstacles(reacher, tree, point, normal, axis, part_heights(tree, normal)), plain
     )
-    assert asked[0] <= most and (shape is not block or asked[0] < 0.5 * most)
+    assert wanted[0] <= most and (shape is not block or wanted[0] < 0.5 * most)
     low = part_heights(tree, normal) - 5.0  # with too low a support some would be taken for free
     assert shape is not hollows or (obstacles(reacher, tree, point, normal, axis, low) != plain).any()
 

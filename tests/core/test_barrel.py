@@ -309,7 +309,7 @@ def test_a_cl_file_brings_it_back_with_its_flank(text):
         )
 
 
-def test_another_flank_than_the_cl_files_is_told():
+def test_another_flank_than_the_cl_files_is_reported():
     head = read_cl_file(cl_file(barrel()).decode()).head
     assert [one.code for one in cutter_note(head, parse_cutter("bull:10:2"))] == ["cutter-differs"]
     assert [one.code for one in cutter_note(head, parse_cutter("barrel:10:80:2"))] == ["cutter-differs"]

@@ -88,7 +88,7 @@ def test_on_a_steep_wall_the_middle_of_its_flank_touches_and_the_axis_stands_up(
     )
 
 
-def test_it_needs_a_fourth_of_the_passes_and_leaves_no_more_than_was_asked_for(with_barrel, with_ball):
+def test_it_needs_a_fourth_of_the_passes_and_leaves_no_more_than_was_requested(with_barrel, with_ball):
     """Both leave s^2 / 8 R: passes go with the root of R."""
     count = [len(np.unique(result.draft.offset.pass_)) for result in (with_barrel, with_ball)]
     assert count[1] / count[0] == pytest.approx(math.sqrt(FLANK / 5.0), rel=0.25)
@@ -117,7 +117,7 @@ def test_it_leans_to_the_upper_side_whichever_way_the_passes_run(part, order):
     assert (axis[:, 2] > 0.9).all()
 
 
-def test_a_tilt_that_is_asked_for_stays_what_it_is(part):
+def test_a_tilt_that_is_requested_stays_what_it_is(part):
     """To the right of the feed, by so much; and the finding where it leaves the flank, with the tilt that
     does not."""
     assert axis_options(settings_of(part, tilt="80deg")).tilt == pytest.approx(math.radians(80.0))

@@ -63,16 +63,16 @@ def test_an_executor_that_gives_back_something_else_is_noticed(wrong, parts, tmp
         list(run_batch(jobs_of(parts, tmp_path / "out"), wrong()))
 
 
-def test_what_an_executor_gives_up_is_done_by_a_new_one_or_told(parts, expected, tmp_path, blank_pages):
-    told = {
+def test_what_an_executor_gives_up_is_done_by_a_new_one_or_reported(parts, expected, tmp_path, blank_pages):
+    reported = {
         outcome.row["name"]: outcome.error
         for outcome in run_batch(jobs_of(parts, tmp_path / "one"), Dropping())
     }
     assert (
-        list(told) == ["a", "b", "c"]
-        and not told["a"]
-        and "process died" in told["b"]
-        and "process died" in told["c"]
+        list(reported) == ["a", "b", "c"]
+        and not reported["a"]
+        and "process died" in reported["b"]
+        and "process died" in reported["c"]
     )
     rows = {
         one.row["name"]: one.row
@@ -82,19 +82,19 @@ def test_what_an_executor_gives_up_is_done_by_a_new_one_or_told(parts, expected,
 
 
 def test_the_jobs_of_a_process_that_dies_run_again_and_none_twice(parts, expected, tmp_path):
-    crew, made = crews.process_crew(1), []
+    crew, result = crews.process_crew(1), []
 
     def again(workers=None):
-        made.append(workers)
+        result.append(workers)
         return Instead(crew.open(workers), work_with_blank_pages)
 
     with Instead(crew.open(), die_once, str(tmp_path / "died")) as pool:
         ended = list(run_batch(jobs_of(parts, tmp_path / "out"), pool, again=again))
-    assert (tmp_path / "died").exists() and made == [None] and len(ended) == 3
+    assert (tmp_path / "died").exists() and result == [None] and len(ended) == 3
     assert ({one.row["name"]: one.row for one in ended}, contents(tmp_path / "out")) == expected
 
 
-@pytest.mark.parametrize("kind", ["told so", pytest.param("processes", marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("kind", ["reported so", pytest.param("processes", marks=pytest.mark.thorough)])
 def test_only_the_job_that_kills_its_process_fails(kind, parts, expected, tmp_path, blank_pages):
     crew = crews.process_crew(1)
 
@@ -143,13 +143,13 @@ def test_workers_leave_what_they_are_at_when_their_crew_stops(parts, tmp_path):
 
 
 def test_progress_tells_the_share_of_the_jobs(parts, tmp_path):
-    told = []
+    reported = []
     list(
         run_batch(
-            jobs_of(parts, tmp_path / "out")[2:] * 2, None, lambda stage, fraction: told.append(fraction)
+            jobs_of(parts, tmp_path / "out")[2:] * 2, None, lambda stage, fraction: reported.append(fraction)
         )
     )
-    assert told[0] == 0.0 and told[-1] == 1.0 and told == sorted(told)
+    assert reported[0] == 0.0 and reported[-1] == 1.0 and reported == sorted(reported)
 
 
 def test_a_job_in_a_worker_keeps_to_its_thread(monkeypatch, parts, tmp_path):

@@ -73,11 +73,11 @@ def test_a_folder_is_milled_and_what_is_finished_is_not_milled_again(parts, tmp_
         [f"{name}.{kind}" for name in "ab" for kind in ("ngc", "html", "json")]
         + ["batch.csv", "batch.html", "batch.json"]
     )
-    told = capsys.readouterr()
+    reported = capsys.readouterr()
     assert (
-        "3 jobs: 2 without errors, 0 with errors, 1 failed" in told.out
-        and "batch.csv" in told.out
-        and not told.err
+        "3 jobs: 2 without errors, 0 with errors, 1 failed" in reported.out
+        and "batch.csv" in reported.out
+        and not reported.err
     )
     a, _, c = rows_of(out / "batch.csv")
     assert (
@@ -197,13 +197,17 @@ def test_shards_in_one_folder_or_several_merge_to_the_whole(parts, tmp_path, wit
     assert sheet.merge_reports([str(tmp_path / "one")], str(tmp_path / "one"))[1]["name"] == "b"
 
 
-def test_files_of_others_are_never_replaced_unless_asked(parts, tmp_path, capsys, without_work):
+def test_files_of_others_are_never_replaced_unless_requested(parts, tmp_path, capsys, without_work):
     out = tmp_path / "out"
     out.mkdir()
     for name in ("b.ngc", "batch.csv"):
         (out / name).write_text("mine")
         assert run("batch", parts, "--out", out, "--executor", "serial", *WORDS) == cli.UNUSABLE
-        assert name in (told := capsys.readouterr().err) and "--overwrite" in told and told.count("\n") == 1
+        assert (
+            name in (reported := capsys.readouterr().err)
+            and "--overwrite" in reported
+            and reported.count("\n") == 1
+        )
         assert os.listdir(out) == [name] and not without_work
         (out / name).unlink()
     (out / "batch.csv").write_text("mine")
@@ -228,16 +232,16 @@ BAD_TABLES = {
 def test_a_table_that_cannot_be_used_is_refused_before_anything_is_written(
     name, tmp_path, capsys, without_work
 ):
-    table, said = BAD_TABLES[name]
+    table, message = BAD_TABLES[name]
     path = tmp_path / "jobs.json"
     path.write_text(json.dumps(table))
     assert run("batch", path, "--out", tmp_path / "out", "--executor", "serial") == cli.UNUSABLE
-    assert said in (told := capsys.readouterr().err) and told.count("\n") == 1
+    assert message in (reported := capsys.readouterr().err) and reported.count("\n") == 1
     assert os.listdir(tmp_path) == ["jobs.json"] and not without_work
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (["nowhere"], "does not exist"),
         (["."], "no part"),
@@ -252,13 +256,13 @@ def test_a_table_that_cannot_be_used_is_refused_before_anything_is_written(
     ],
 )
 def test_what_cannot_be_done_is_named_with_its_remedy(
-    words, said, parts, tmp_path, capsys, monkeypatch, without_work
+    words, message, parts, tmp_path, capsys, monkeypatch, without_work
 ):
     for module in ("distributed", "mpi4py", "mpi4py.futures"):
         monkeypatch.setitem(sys.modules, module, None)
     monkeypatch.chdir(tmp_path)
     assert run("batch", *words, "--out", "out", *WORDS) == cli.UNUSABLE
-    assert said in (told := capsys.readouterr().err) and told.count("\n") == 1
+    assert message in (reported := capsys.readouterr().err) and reported.count("\n") == 1
     assert os.listdir(tmp_path) == ["parts"] and not without_work
 
 
@@ -276,15 +280,15 @@ def test_a_shard_says_which_jobs():
 
 
 @pytest.mark.parametrize(("words", "workers"), [([], 3), (["--workers", "2"], 2)])
-def test_a_batch_begins_as_many_workers_as_there_are_processors_unless_told(
+def test_a_batch_begins_as_many_workers_as_there_are_processors_unless_reported(
     words, workers, parts, tmp_path, monkeypatch, without_work
 ):
     """Those that this process may use, which ``chunks`` counts once."""
-    asked = []
+    wanted = []
     monkeypatch.setattr(chunks, "PROCESSORS", 3)
-    monkeypatch.setattr(crews, "find_crew", lambda name, count: asked.append((name, count)))
+    monkeypatch.setattr(crews, "find_crew", lambda name, count: wanted.append((name, count)))
     assert run("batch", parts, "--out", tmp_path / "out", "--quiet", *words, *WORDS) == cli.DONE
-    assert asked == [("processes", workers)] and without_work == ["a", "b"]
+    assert wanted == [("processes", workers)] and without_work == ["a", "b"]
 
 
 COUNT = "import os; os.sched_getaffinity = lambda pid: {1, 5, 7}; os.cpu_count = lambda: 64\n"

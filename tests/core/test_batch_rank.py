@@ -102,7 +102,7 @@ def test_ranks_are_in_every_report_and_those_of_a_merge_are_counted_anew(tmp_pat
     ]
 
 
-def test_parts_of_one_name_are_told_apart(tmp_path):
+def test_parts_of_one_name_are_distinguished(tmp_path):
     for folder in ("one", "two/in"):
         (tmp_path / folder).mkdir(parents=True)
         write_roof(tmp_path / folder / "a.stl")
@@ -133,7 +133,7 @@ def test_the_command_names_the_best_cutter_of_each_part(tmp_path, capsys, monkey
     table.write_text(json.dumps({"parts": ["a.stl"], "options": WAY | {"cutter": list(unfinished)}}))
     words = ["batch", str(table), "--out", str(tmp_path / "out"), "--executor", "serial"]
     assert cli.main(words) == cli.DONE_WITH_ERRORS
-    told = capsys.readouterr().out.splitlines()
-    assert "a.stl: best of 3: a.cutter=ball-10, 1.2 % unfinished, 31 min" in told
-    jobs = [line.split(":")[0] for line in told if line.startswith("a.cutter=")]
+    reported = capsys.readouterr().out.splitlines()
+    assert "a.stl: best of 3: a.cutter=ball-10, 1.2 % unfinished, 31 min" in reported
+    jobs = [line.split(":")[0] for line in reported if line.startswith("a.cutter=")]
     assert jobs == ["a.cutter=ball-10", "a.cutter=ball-6", "a.cutter=ball-12"]

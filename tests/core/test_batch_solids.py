@@ -53,7 +53,7 @@ def folder(tmp_path, monkeypatch):
     return parts
 
 
-def asked_of(folder):
+def wanted_of(folder):
     path = folder.parent / "log"
     return [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
 
@@ -84,21 +84,21 @@ def test_a_step_file_and_a_named_solid_are_milled_as_their_mesh_and_meshed_once(
     assert (
         programs[0] == programs[2] == programs[4] and programs[1] == programs[3] == programs[5] != programs[0]
     )
-    assert [(os.path.basename(one["file"]), one["named"]) for one in asked_of(folder)] == [
+    assert [(os.path.basename(one["file"]), one["named"]) for one in wanted_of(folder)] == [
         ("roof.step", ""),
         ("jig.FCStd", "Blade 2"),
     ]
-    assert (asked_of(folder)[0]["linear"], asked_of(folder)[0]["angular"]) == (0.02, 15.0)
+    assert (wanted_of(folder)[0]["linear"], wanted_of(folder)[0]["angular"]) == (0.02, 15.0)
     assert work.read_finished(jobs[2]) is not None
     (folder / "roof.step").write_text("ISO-10303-21; changed")
     assert work.read_finished(jobs[2]) is None
 
 
 @pytest.mark.parametrize(
-    ("named", "said"), [("Several", "it holds Pin, Blade"), ("Nothing", "ended before it was meshed")]
+    ("named", "message"), [("Several", "it holds Pin, Blade"), ("Nothing", "ended before it was meshed")]
 )
-def test_what_freecad_says_is_why_the_job_fails(folder, named, said):
-    with pytest.raises(FileError, match=said):
+def test_what_freecad_says_is_why_the_job_fails(folder, named, message):
+    with pytest.raises(FileError, match=message):
         solids.mesh_solid(solids.Solid(str(folder / "jig.FCStd"), named))
 
 
@@ -110,16 +110,16 @@ def test_without_freecad_the_command_ends_before_any_work_with_the_remedy(
         monkeypatch.setenv(solids.PROGRAM, given)
         monkeypatch.setenv("PATH", str(tmp_path))
         assert cli.main(words) == cli.UNUSABLE
-        told = capsys.readouterr().err
+        reported = capsys.readouterr().err
         assert (
-            told.count("\n") == 1
-            and solids.PROGRAM in told
-            and "STL" in told
+            reported.count("\n") == 1
+            and solids.PROGRAM in reported
+            and "STL" in reported
             and not (tmp_path / "out").exists()
         )
 
 
-def test_a_part_that_is_not_there_is_told(folder):
+def test_a_part_that_is_not_there_is_reported(folder):
     with pytest.raises(FileError, match=r"gone\.step cannot be read"):
         solids.mesh_solid(solids.Solid(str(folder / "gone.step")))
 

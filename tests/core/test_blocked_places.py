@@ -49,7 +49,7 @@ def jaw(gap, name="jaw"):
     return Fixture(name, from_triangles(box(low, (SIZE[0], -SIZE[1] / 2 - gap, SIZE[2]))))
 
 
-def made(fixtures=(), **more):
+def make_result(fixtures=(), **more):
     draft = job.make(build_settings("mill", "part", {**GIVEN, **more}), mesh=block(), fixtures=fixtures)
     return job.figures(job.prove(draft))
 
@@ -80,7 +80,7 @@ def test_places_are_chosen_evenly_by_weight():
 def test_what_the_table_keeps_the_tool_off_is_out_of_reach_and_named():
     """A ball never comes lower than its radius at the middle: of the walls up to there stays what it leaves
     from there, and no more than all."""
-    figures = made(**ON_TABLE)
+    figures = make_result(**ON_TABLE)
     (lost,) = found_in(figures, Code.UNCUT_AT_TABLE)
     above = 2.0 * SCALLOP + 0.01
     strip = RADIUS - math.sqrt((RADIUS + above) ** 2 - RADIUS**2)
@@ -97,7 +97,7 @@ def test_what_the_table_keeps_the_tool_off_is_out_of_reach_and_named():
 @pytest.mark.thorough
 def test_a_fixture_in_the_way_is_named_and_one_that_is_far_off_is_not():
     """The wall beside the jaw is left out as a whole, and of the walls at its ends stays what is near it."""
-    figures = made((jaw(0.5, "left.stl"), jaw(200.0, "far.stl")))
+    figures = make_result((jaw(0.5, "left.stl"), jaw(200.0, "far.stl")))
     (wall,) = found_in(figures, Code.FACETS_WITHOUT_FREE_AXIS)
     assert (
         wall.value == pytest.approx(SIZE[0] * SIZE[2]) and "the fixture left.stl is in the way" in wall.text
@@ -107,6 +107,6 @@ def test_a_fixture_in_the_way_is_named_and_one_that_is_far_off_is_not():
     numbers = summary(figures)
     assert "a fixture is in the way)" in verdict(figures, numbers).text
     assert numbers["unfinished_parts"]["missed"] < 0.05 * numbers["unfinished_share"]
-    free = made((jaw(200.0),))
+    free = make_result((jaw(200.0),))
     assert not found_in(free, Code.UNCUT_AT_FIXTURE) and not found_in(free, Code.UNCUT_AT_TABLE)
     assert not found_in(free, Code.FACETS_WITHOUT_FREE_AXIS) and not found_in(free, Code.NO_FREE_AXIS)

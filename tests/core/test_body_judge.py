@@ -86,18 +86,18 @@ def judge(name, scenes=SCENES):
         found = checked(machine, words, tolerance=TOLERANCE)
         if any(one.code == "machine-touching" for one in found):
             continue
-        told = [one.value for one in found if "on " in one.hit.enters and "on " in one.hit.entered]
-        if told == [] and hit_samples(machine, words, 2.0 * TOLERANCE):
+        reported = [one.value for one in found if "on " in one.hit.enters and "on " in one.hit.entered]
+        if reported == [] and hit_samples(machine, words, 2.0 * TOLERANCE):
             missed.append((bodies, words.tolist()))
-        if told and not hit_samples(machine, words, 0.0):
-            alone.append(told[0])
-        hit += bool(told)
-        free += not told
+        if reported and not hit_samples(machine, words, 0.0):
+            alone.append(reported[0])
+        hit += bool(reported)
+        free += not reported
     return missed, hit, free, alone
 
 
 @pytest.mark.parametrize("name", MACHINES)
-def test_fcl_finds_nothing_in_200_samples_a_block_that_is_not_told(name):
+def test_fcl_finds_nothing_in_200_samples_a_block_that_is_not_reported(name):
     missed, hit, free, alone = judge(name)
     assert not missed and hit > 3 and free > 3
     assert all(depth < 1.0 for depth in alone), "what is told and never sampled is shallow or short"

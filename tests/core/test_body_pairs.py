@@ -99,9 +99,9 @@ def pairs_of(*bodies):
 
 
 def test_a_question_of_yes_or_no_tells_how_far_it_is_and_can_be_stopped():
-    told, (check, pairs) = [], pairs_of(CRADLE, wall(100.0), wall(110.0, "post"))
-    which_meet(check, pairs, np.arange(5), lambda stage, share: told.append((stage, share)))
-    assert len(pairs) > 1 and told == [("gouge", k / len(pairs)) for k in range(len(pairs))]
+    reported, (check, pairs) = [], pairs_of(CRADLE, wall(100.0), wall(110.0, "post"))
+    which_meet(check, pairs, np.arange(5), lambda stage, share: reported.append((stage, share)))
+    assert len(pairs) > 1 and reported == [("gouge", k / len(pairs)) for k in range(len(pairs))]
 
     def stop(stage, share):
         raise Cancelled
@@ -222,7 +222,7 @@ def test_the_housing_is_kept_out_of_part_and_fixture_and_needs_the_tools_length(
     assert blind.code == "machine-unproven" and "housing" in blind.text and "--tool-length" in blind.text
 
 
-def test_a_part_that_swings_into_a_column_is_told():
+def test_a_part_that_swings_into_a_column_is_reported():
     """It stands out beside the table, and C turns it."""
     machine = trunnion(wall(150.0))
     bar = from_triangles(box((100.0, -10.0, 0.0), (170.0, 10.0, 20.0)) - ORIGIN)
@@ -250,7 +250,7 @@ def test_the_holder_is_kept_out_of_a_body_that_an_axis_of_the_head_carries():
 # ------------------------------------------------------------------------------------------ what is looked at
 
 
-def test_neighbours_that_touch_at_zero_are_left_out_and_said():
+def test_neighbours_that_touch_at_zero_are_left_out_and_stated():
     base = MachineBody("bearing", "base", "box", ((-150.0, -60.0, -170.0), (-100.0, 60.0, -140.0)))
     machine = trunnion(CRADLE, base, wall(100.0))
     (note, hit) = checked(machine, words_at(machine, {"A": 0.0}, {"A": 50.0}, {"A": -50.0}))
@@ -265,7 +265,7 @@ def test_across_from_table_to_head_nothing_is_a_neighbour():
     assert not checked(machine, words_at(machine, {"Z": 200.0}, {"Z": 100.0}))
 
 
-def test_what_comes_nearer_than_the_clearance_is_told_with_the_distance():
+def test_what_comes_nearer_than_the_clearance_is_reported_with_the_distance():
     machine = trunnion(CRADLE, wall(CORNER + 5.0))
     words = words_at(machine, {"A": 0.0}, {"A": -110.0}, {"A": 110.0})
     assert not checked(machine, words) and not checked(machine, words, clearance=4.9)
@@ -287,7 +287,7 @@ def test_a_rapid_of_independent_axes_goes_every_way():
     assert codes(found) == ["machine-collision"] and found[0].hit.u is None and found[0].value > 9.0
 
 
-def test_of_a_block_that_takes_too_many_cells_it_is_told_that_it_is_not_proven(monkeypatch):
+def test_of_a_block_that_takes_too_many_cells_it_is_reported_that_it_is_not_proven(monkeypatch):
     monkeypatch.setattr(body_search, "MOST_CELLS", 2)
     machine = trunnion(CRADLE, wall(CORNER + 0.002))
     (one,) = checked(machine, words_at(machine, {"A": 0.0}, {"A": -110.0}, {"A": 110.0}))
@@ -296,7 +296,7 @@ def test_of_a_block_that_takes_too_many_cells_it_is_told_that_it_is_not_proven(m
     )
 
 
-def test_of_a_machine_without_bodies_nothing_is_asked(monkeypatch):
+def test_of_a_machine_without_bodies_nothing_is_requested(monkeypatch):
     from freecad_fiveaxis.core.gouge import machine_check
 
     monkeypatch.setattr(machine_check, "check_pairs", None)
@@ -370,22 +370,22 @@ def compare(name, scenes):
         found = checked(machine, words)
         if any(one.code == "machine-touching" for one in found):
             continue
-        told = max(
+        reported = max(
             (one.value for one in found if "on " in one.hit.enters and "on " in one.hit.entered), default=0.0
         )
         sampled = sampled_depth(machine, words, *machine.bodies)
         if sampled > 0.02:
-            assert told > 0.0, (machine.bodies, sampled)
-        if told > 1.5:
-            assert sampled > 0.0, (machine.bodies, told)
-        hit += told > 0.0
-        missed += told == 0.0
+            assert reported > 0.0, (machine.bodies, sampled)
+        if reported > 1.5:
+            assert sampled > 0.0, (machine.bodies, reported)
+        hit += reported > 0.0
+        missed += reported == 0.0
     return hit, missed
 
 
 @pytest.mark.thorough
 @some_in_core("name", MACHINES)
-def test_dense_samples_find_no_meeting_that_is_not_told_and_what_is_told_is_there(name):
+def test_dense_samples_find_no_meeting_that_is_not_reported_and_what_is_reported_is_there(name):
     hit, missed = compare(name, 40)
     assert hit > 3 and missed > 3
 

@@ -156,7 +156,7 @@ def test_crossings_of_random_pieces_are_those_of_every_edge_by_itself():
 # --------------------------------------------------------------------------------------- flat, in closed form
 
 
-def made(tmp_path, curves, triangles=PLATE, **more):
+def make_result(tmp_path, curves, triangles=PLATE, **more):
     part = tmp_path / "part.stl"
     write_stl(from_triangles(triangles), part)
     return job.make(
@@ -165,7 +165,7 @@ def made(tmp_path, curves, triangles=PLATE, **more):
 
 
 def test_a_rectangle_with_an_island_keeps_the_length_of_its_passes(tmp_path):
-    offset = made(tmp_path, (RECTANGLE, ISLAND)).offset
+    offset = make_result(tmp_path, (RECTANGLE, ISLAND)).offset
     assert length(offset) == pytest.approx(
         20 * 30 - 10 * 10, abs=1e-9
     )  # passes 1 mm apart, between whole millimetres
@@ -177,7 +177,9 @@ def test_a_rectangle_with_an_island_keeps_the_length_of_its_passes(tmp_path):
 
 def test_a_round_boundary_keeps_the_chords_of_its_polygon(tmp_path):
     turn = 2 * np.pi * (np.arange(72) + 0.3) / 72
-    offset = made(tmp_path, [np.stack([20 + 11 * np.cos(turn), 15 + 11 * np.sin(turn)], axis=1)]).offset
+    offset = make_result(
+        tmp_path, [np.stack([20 + 11 * np.cos(turn), 15 + 11 * np.sin(turn)], axis=1)]
+    ).offset
     chords = 0.0
     for y in np.unique(np.round(offset.point[:, 1], 9)):
         x = [20 + 11 * (math.cos(a) + (y - 15 - 11 * math.sin(a)) / (11 * (math.sin(b) - math.sin(a))) * (math.cos(b) - math.cos(a)))
@@ -189,15 +191,15 @@ def test_a_round_boundary_keeps_the_chords_of_its_polygon(tmp_path):
 
 
 def test_passes_that_run_along_the_boundary_stay_and_so_does_a_path_that_lies_inside(tmp_path):
-    offset = made(tmp_path, [((5, 4.5), (35, 4.5), (35, 24.5), (5, 24.5))]).offset
+    offset = make_result(tmp_path, [((5, 4.5), (35, 4.5), (35, 24.5), (5, 24.5))]).offset
     assert length(offset) == pytest.approx(21 * 30)
-    whole = made(tmp_path, [((-5, -5), (50, -5), (50, 50), (-5, 50))])
+    whole = make_result(tmp_path, [((-5, -5), (50, -5), (50, 50), (-5, 50))])
     free = job.make(build_settings("mill", str(tmp_path / "part.stl"), JOB))
     assert whole.nc == free.nc and not [one for one in whole.findings if "boundary" in one.code]
 
 
 def test_a_pass_that_only_touches_an_island_goes_on(tmp_path):
-    offset = made(tmp_path, (RECTANGLE, ((20, 7.5), (22, 9), (20, 9), (18, 9)))).offset
+    offset = make_result(tmp_path, (RECTANGLE, ((20, 7.5), (22, 9), (20, 9), (18, 9)))).offset
     assert set(np.bincount(offset.polyline[np.isclose(offset.point[:, 1], 7.5)])) <= {
         0,
         3,
@@ -205,14 +207,14 @@ def test_a_pass_that_only_touches_an_island_goes_on(tmp_path):
     assert offset.polyline[-1] + 1 == 20 + 1  # the island divides the pass at 8.5 alone
 
 
-def test_facets_outside_are_left_out_and_their_area_is_told(tmp_path):
+def test_facets_outside_are_left_out_and_their_area_is_reported(tmp_path):
     triangles = field(20, lambda x, y: 0 * x, 2.0)
-    found = made(tmp_path, [((0, 0), (20, 0), (20, 12), (0, 12))], triangles)
-    told = next(one for one in found.findings if one.code == "outside-boundary")
-    assert told.value == pytest.approx(40 * 40 - 20 * 12) and found.mesh.area[
+    found = make_result(tmp_path, [((0, 0), (20, 0), (20, 12), (0, 12))], triangles)
+    reported = next(one for one in found.findings if one.code == "outside-boundary")
+    assert reported.value == pytest.approx(40 * 40 - 20 * 12) and found.mesh.area[
         found.keep
     ].sum() == pytest.approx(240)
-    assert "lie outside boundary b.csv and are not machined" in told.text
+    assert "lie outside boundary b.csv and are not machined" in reported.text
     mesh = found.mesh
     boundary = read_boundary(
         written(tmp_path / "c.csv", star(30, 9.0, middle=(20, 20))), "c", (0.0, 0.0, 1.0)
@@ -399,7 +401,7 @@ def test_what_the_part_stands_on_stays_out_with_free_axes(tmp_path):
 
 @pytest.mark.parametrize("cutter", ["flat:6", "bull:6:1", "ball:6"])
 def test_by_the_centre_the_hub_of_every_cutter_stays_inside(tmp_path, cutter):
-    found = made(tmp_path, (RECTANGLE, ISLAND), cutter=cutter, boundary_by="centre", lead=5)
+    found = make_result(tmp_path, (RECTANGLE, ISLAND), cutter=cutter, boundary_by="centre", lead=5)
     cuts = found.path.motion == 0
     hub = found.path.tip[cuts][:, :2] + found.settings.cutter.cutter.corner * found.path.axis[cuts][:, :2]
     assert (wound((RECTANGLE, ISLAND), hub) | (off((RECTANGLE, ISLAND), hub) < 1e-6)).all()
@@ -420,7 +422,7 @@ def test_an_axis_other_than_z_and_faces_beside_it(tmp_path):
 def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
     """The plate's two facets lie outside for the larger part; beside passes that end at the boundary no more
     stays than between."""
-    found = job.run(with_rest(made(tmp_path, (RECTANGLE, ISLAND), boundary_by=by).settings))
+    found = job.run(with_rest(make_result(tmp_path, (RECTANGLE, ISLAND), boundary_by=by).settings))
     assert (
         found.rest.area.sum() == pytest.approx(30 * 20 - 10 * 10, rel=0.03) and found.rest.height.max() < 0.1
     )
@@ -432,7 +434,7 @@ def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
 @pytest.mark.parametrize("by", ["contact", "centre"])
 def test_links_over_an_island_that_is_narrower_than_the_cutter_are_lifted(tmp_path, by):
     curves = RECTANGLE, ((19, 10), (21, 10), (21, 20), (19, 20))
-    path = made(tmp_path, curves, boundary_by=by, order="one_way").path
+    path = make_result(tmp_path, curves, boundary_by=by, order="one_way").path
     end = np.flatnonzero(path.motion != Motion.RAPID)[1:]
     share = np.linspace(0, 1, 21)[:, None, None]
     way = (path.tip[end - 1] + share * (path.tip[end] - path.tip[end - 1])).reshape(-1, 3)
@@ -479,14 +481,14 @@ BAD = [
 ]
 
 
-@pytest.mark.parametrize(("text", "said"), BAD, ids=range(len(BAD)))
-def test_what_is_no_boundary_is_refused_in_one_line(tmp_path, capsys, text, said):
+@pytest.mark.parametrize(("text", "message"), BAD, ids=range(len(BAD)))
+def test_what_is_no_boundary_is_refused_in_one_line(tmp_path, capsys, text, message):
     write_stl(from_triangles(PLATE), tmp_path / "part.stl")
     (tmp_path / "b.csv").write_bytes(text.encode())
-    refused(tmp_path, capsys, said, "--boundary", str(tmp_path / "b.csv"))
+    refused(tmp_path, capsys, message, "--boundary", str(tmp_path / "b.csv"))
 
 
-def refused(tmp_path, capsys, said, *words):
+def refused(tmp_path, capsys, message, *words):
     out = tmp_path / "out.ngc"
     common = [
         "--machine",
@@ -502,7 +504,7 @@ def refused(tmp_path, capsys, said, *words):
     ]
     assert main(["mill", str(tmp_path / "part.stl"), *common, *words]) == 2
     error = capsys.readouterr().err
-    assert said in error and len(error.strip().splitlines()) == 1 and not out.exists()
+    assert message in error and len(error.strip().splitlines()) == 1 and not out.exists()
 
 
 def test_an_axis_without_direction_a_missing_file_and_a_word_are_refused(tmp_path, capsys):
@@ -530,7 +532,7 @@ def test_names_of_columns_blank_lines_and_a_curve_that_is_closed_but_for_roundin
 
 def test_where_facets_reach_in_but_no_pass_does_it_is_refused(tmp_path):
     with pytest.raises(SettingsError, match="no part of the surface that is to be machined lies inside"):
-        made(tmp_path, [((10.1, 10.6), (11, 10.6), (11, 10.9), (10.1, 10.9))], stepover=5)
+        make_result(tmp_path, [((10.1, 10.6), (11, 10.6), (11, 10.9), (10.1, 10.9))], stepover=5)
 
 
 # ------------------------------------------------------------------------------------------------ other tasks
@@ -623,7 +625,7 @@ def test_the_lines_in_place_of_the_file_give_the_same_program(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("option", "given", "told"),
+    ("option", "given", "reported"),
     [
         ("--boundary", "0,0,0;1,0,0;2,0", "boundary 0,0,0;1,0,0;2,0 holds no closed curves"),
         ("--boundary", "0,0;1,1;" * 30, "boundary " + ("0,0;1,1;" * 30)[:39] + "… holds no closed curves"),
@@ -633,7 +635,7 @@ def test_the_lines_in_place_of_the_file_give_the_same_program(tmp_path):
         ("--from", "1,2,3;", "guide curve 1,2,3; needs two points or more"),
     ],
 )
-def test_lines_that_are_no_curve_are_refused(tmp_path, capsys, option, given, told):
+def test_lines_that_are_no_curve_are_refused(tmp_path, capsys, option, given, reported):
     stl = tmp_path / "plate.stl"
     write_stl(from_triangles(PLATE), stl)
     out = tmp_path / "x.ngc"
@@ -650,4 +652,4 @@ def test_lines_that_are_no_curve_are_refused(tmp_path, capsys, option, given, to
         given,
     ]
     assert main(["mill", str(stl), "-o", str(out), *given]) == 2
-    assert told in capsys.readouterr().err and not out.exists()
+    assert reported in capsys.readouterr().err and not out.exists()

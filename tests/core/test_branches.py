@@ -236,7 +236,7 @@ def test_the_shorter_graph_of_gates_and_branch_runs_has_the_best_way_or_none(
     assert changes > 3 or not shorter
 
 
-def test_a_break_that_has_to_be_made_inside_a_branch_run_is_found():
+def test_a_break_that_has_to_be_built_inside_a_branch_run_is_found():
     """Branch 0 ends and branch 1 begins within one cut: no gate helps, so the shorter graph must not
     answer."""
     angles = np.zeros((2, 60, 2))

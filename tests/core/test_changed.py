@@ -100,7 +100,7 @@ def test_a_file_that_is_no_python_is_reached_by_those_that_name_it(house):
     assert listed(house) == []
 
 
-def test_they_are_run_and_a_failure_is_told(house):
+def test_they_are_run_and_a_failure_is_reported(house):
     (house / "house/wood.py").write_text("beam = 3\n")
     done = changed(house)
     assert done.returncode == 1 and "2 failed" in done.stdout, done.stdout + done.stderr

@@ -82,16 +82,16 @@ def test_within_work_another_on_all_keeps_to_its_thread_and_afterwards_there_are
     assert len(set.union(*in_threads(both_taking_part(work), range(6)))) == 2
 
 
-def test_progress_is_told_on_the_calling_thread_and_only_grows():
-    told = []
+def test_progress_is_reported_on_the_calling_thread_and_only_grows():
+    reported = []
 
     def tell(done):
         assert threading.current_thread() is caller
-        told.append(done)
+        reported.append(done)
 
     caller = threading.current_thread()
     in_threads(both_taking_part(), range(20), tell)
-    assert told == sorted(told) and told[0] > 0.0 and told[-1] <= 1.0
+    assert reported == sorted(reported) and reported[0] > 0.0 and reported[-1] <= 1.0
 
 
 LONG = range(10_000)
@@ -157,11 +157,11 @@ def test_the_pipeline_gives_the_same_bits_with_one_thread_and_two(monkeypatch, p
     monkeypatch.setattr(junction, "GROUP", 50)
     monkeypatch.setattr(number_text, "CHUNK", 60)
     settings = build_settings("mill", str(parts / f"{part}.stl"), {"machine": machine, "stepover": 4.0})
-    made = []
+    result = []
     for alone in (True, False):
         monkeypatch.setattr(chunks_module, "ALONE", alone)
-        made.append(job.make(settings))
-    one, two = made
+        result.append(job.make(settings))
+    one, two = result
     assert len(one.program.words) > 5 * 97 and one.nc == two.nc
     for record in ("mesh", "contact", "offset", "path", "joints", "program"):
         for field, column in vars(getattr(one, record)).items():

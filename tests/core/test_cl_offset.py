@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.orientation.spacing_radius import spacing_radius
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions
 from freecad_fiveaxis.core.pipeline import job, outputs, solve_joints
-from freecad_fiveaxis.core.pipeline import options as asked
+from freecad_fiveaxis.core.pipeline import options as wanted
 from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
 from freecad_fiveaxis.core.toolpath import cl_offset as seating
@@ -38,16 +38,16 @@ looks for it while the path is made."""
 def milled(parts):
     """Results by part, machine and options, each made once, of which none asks what stays uncut: that takes
     longer than all that is looked at here."""
-    made = {}
+    outcome = {}
 
     def mill(part, machine, **options):
         key = (part, machine, *sorted(options.items()))
-        if key not in made:
+        if key not in outcome:
             given = {"machine": machine, "stepover": 5, "tool_length": 120, **UNCURED, **options}
             with pytest.MonkeyPatch.context() as patched:
                 patched.setattr(solve_joints, "find_uncut", lambda context, path: ())
-                made[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
-        return made[key]
+                outcome[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
+        return outcome[key]
 
     return mill
 
@@ -55,20 +55,20 @@ def milled(parts):
 @pytest.fixture(scope="module")
 def points(parts):
     """Points on every facet of an example part, each made once."""
-    made = {}
+    outcome = {}
 
     def of(part):
-        if part not in made:
-            made[part] = facet_points(read_stl(str(parts / f"{part}.stl")), 0.5)
-        return made[part]
+        if part not in outcome:
+            outcome[part] = facet_points(read_stl(str(parts / f"{part}.stl")), 0.5)
+        return outcome[part]
 
     return of
 
 
-def on_part(made):
+def on_part(outcome):
     """Tip and axis of every row that cuts, of the path that is driven."""
-    cuts = made.path.motion <= Motion.FILL
-    return made.path.tip[cuts], made.path.axis[cuts]
+    cuts = outcome.path.motion <= Motion.FILL
+    return outcome.path.tip[cuts], outcome.path.axis[cuts]
 
 
 # --------------------------------------------------------------------------------- through the whole pipeline
@@ -78,8 +78,8 @@ def on_part(made):
 @some_in_core("lead, tilt", [(0, 0), (5, 0), (0, 5)])
 def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, tilt, milled, points):
     """By no more than the dome's facets themselves leave the sphere (0.0085 mm), and every row touches."""
-    made = milled("dome", "trunnion_ac", cutter=cutter, lead=lead, tilt=tilt, stepover=9).draft
-    deep = depth(parse_cutter(cutter), *on_part(made), points("dome"))
+    outcome = milled("dome", "trunnion_ac", cutter=cutter, lead=lead, tilt=tilt, stepover=9).draft
+    deep = depth(parse_cutter(cutter), *on_part(outcome), points("dome"))
     assert deep.max() < 0.006
     assert np.quantile(deep, 0.02) > -0.1  # as near as the points on the facets stand to the contact
 
@@ -87,9 +87,9 @@ def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, 
 @pytest.mark.slow
 @pytest.mark.parametrize("cutter", CUTTERS)
 def test_on_a_saddle_a_lead_keeps_every_cutter_out_of_the_hollow(cutter, milled, points):
-    made = milled("saddle", "trunnion_ac", cutter=cutter, lead=10).draft
-    assert depth(parse_cutter(cutter), *on_part(made), points("saddle")).max() < 0.004
-    assert not [finding for finding in made.findings if finding.code == "heel-in-hollow"]
+    outcome = milled("saddle", "trunnion_ac", cutter=cutter, lead=10).draft
+    assert depth(parse_cutter(cutter), *on_part(outcome), points("saddle")).max() < 0.004
+    assert not [finding for finding in outcome.findings if finding.code == "heel-in-hollow"]
 
 
 @pytest.fixture
@@ -106,22 +106,22 @@ def estimated(monkeypatch):
     return seen
 
 
-def heels_of(made):
-    return [finding for finding in made.findings if finding.code == "heel-in-hollow"]
+def heels_of(outcome):
+    return [finding for finding in outcome.findings if finding.code == "heel-in-hollow"]
 
 
 @some_in_core("cutter", ["flat:10", "bull:10:2", "taperbull:8:1:5deg"], kept=(1,))
 def test_a_heel_in_a_hollow_along_the_pass_is_as_deep_as_estimated(cutter, parts, points, estimated):
     given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 5, "tool_length": 120, **UNASKED}
-    made = job.make(build_settings("mill", str(parts / "saddle.stl"), given))
-    deep = depth(parse_cutter(cutter), *on_part(made), points("saddle"))
-    assert len(heels_of(made)) == 1 and deep.max() > 0.1
+    outcome = job.make(build_settings("mill", str(parts / "saddle.stl"), given))
+    deep = depth(parse_cutter(cutter), *on_part(outcome), points("saddle"))
+    assert len(heels_of(outcome)) == 1 and deep.max() > 0.1
     assert estimated[-1] == pytest.approx(deep.max(), rel=0.15)
 
 
 @some_in_core("cutter", ["bull:8:1.5", "flat:6"], kept=(1,))
 @pytest.mark.parametrize("gouge", ["off", "report"])
-def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_settles_it(
+def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_reported_and_the_check_settles_it(
     cutter, gouge, estimated
 ):
     """A ball in a corner. With the check on, its own finding says how deep."""
@@ -183,14 +183,14 @@ def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, le
      pytest.param("bull:10:2", {"tool_axis": "minimax", "max_tilt": 3}, marks=pytest.mark.slow)],
     kept=(2,),
 )  # fmt: skip
-def test_the_tip_follows_an_axis_that_was_led(cutter, options, milled, points):
+def test_the_tip_follows_an_axis_that_was_corrected(cutter, options, milled, points):
     """The axes are others than the strategy's, and still the cutter touches the dome and does not enter
     it."""
     given = {"cutter": cutter, "stepover": 5, "max_axis_angle": 11}
-    made = milled("dome", "trunnion_ac", **given, **options).draft
+    outcome = milled("dome", "trunnion_ac", **given, **options).draft
     plain = milled("dome", "trunnion_ac", **given).draft
-    assert np.abs(on_part(made)[1] - on_part(plain)[1]).max() > 1e-3
-    deep = depth(parse_cutter(cutter), *on_part(made), points("dome"))
+    assert np.abs(on_part(outcome)[1] - on_part(plain)[1]).max() > 1e-3
+    deep = depth(parse_cutter(cutter), *on_part(outcome), points("dome"))
     assert np.quantile(deep, 0.02) > -0.1 and deep.max() < 0.005
 
 
@@ -264,9 +264,9 @@ def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
     mesh = roof(np.radians(slope))
     write_stl(mesh, tmp_path / "roof.stl")
     given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60, **UNASKED}
-    made = job.make(build_settings("mill", str(tmp_path / "roof.stl"), given))
-    tip, axis = on_part(made)
-    same = np.diff(made.path.pass_[made.path.motion <= Motion.FILL]) == 0
+    outcome = job.make(build_settings("mill", str(tmp_path / "roof.stl"), given))
+    tip, axis = on_part(outcome)
+    same = np.diff(outcome.path.pass_[outcome.path.motion <= Motion.FILL]) == 0
     half = [0.5 * (part[1:] + part[:-1])[same] for part in (tip, axis)]
     half[1] /= np.linalg.norm(half[1], axis=1)[:, None]
     rows = np.arange(len(half[0]))[:: max(len(half[0]) // 300, 1)]
@@ -279,7 +279,7 @@ def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
 @pytest.mark.parametrize(("slope", "options", "gouges"), [
     (-5, {}, True), (-5, {"tool_axis": "fixed"}, True), (-5, {"lead": 10}, False), (-20, {"lead": 10}, True), (-45, {}, True),
 ])  # fmt: skip
-def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(
+def test_in_a_valley_the_bottom_is_reported_of_where_it_cuts_and_only_there(
     cutter, slope, options, gouges, tmp_path, estimated
 ):
     """Concave edges are trimmed for the corner circle alone; what the rest of the bottom does there is
@@ -294,19 +294,19 @@ def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(
         **UNCURED,
         **options,
     }
-    made = job.make(build_settings("mill", str(tmp_path / "valley.stl"), given))
-    deep = depth(parse_cutter(cutter), *on_part(made), facet_points(mesh, 1.0)).max()
-    assert (deep > 0.1) == gouges == bool(heels_of(made))
+    outcome = job.make(build_settings("mill", str(tmp_path / "valley.stl"), given))
+    deep = depth(parse_cutter(cutter), *on_part(outcome), facet_points(mesh, 1.0)).max()
+    assert (deep > 0.1) == gouges == bool(heels_of(outcome))
     assert not gouges or 0.95 * deep < estimated[-1] < 1.8 * deep
 
 
 def test_the_flank_of_a_tapered_cutter_stays_out_of_steep_walls(milled, points):
     given = {"cutter": "taperball:6:20deg", "tool_axis": "fixed"}
-    made = milled("dome", "trunnion_ac", **given).draft
-    (left,) = [finding for finding in made.findings if finding.code == "flank-into-part"]
+    outcome = milled("dome", "trunnion_ac", **given).draft
+    (left,) = [finding for finding in outcome.findings if finding.code == "flank-into-part"]
     assert left.value > 10.0
-    assert depth(parse_cutter("taperball:6:20deg"), *on_part(made), points("dome")).max() < 0.004
-    assert (made.offset.normal @ [0, 0, 1]).min() >= np.sin(np.radians(20)) - 1e-5
+    assert depth(parse_cutter("taperball:6:20deg"), *on_part(outcome), points("dome")).max() < 0.004
+    assert (outcome.offset.normal @ [0, 0, 1]).min() >= np.sin(np.radians(20)) - 1e-5
     gentle = milled("dome", "trunnion_ac", cutter="ball:6", tool_axis="fixed").draft
     assert not [finding for finding in gentle.findings if finding.code == "flank-into-part"]
 
@@ -331,10 +331,10 @@ SURFACES = {
 }
 
 
-def rest_over(made, cutter, height, most):
+def rest_over(outcome, cutter, height, most):
     """What stands above the surface mid-way along the passes, from the first to the last of them, mm: sampled
     columns of material that every position of the cutter, the passes finely divided, cuts down."""
-    path = made.path
+    path = outcome.path
     cuts = (
         np.flatnonzero(
             (path.motion[1:] <= Motion.FILL) & (path.pass_[1:] == path.pass_[:-1]) & (path.pass_[1:] >= 0)
@@ -377,7 +377,7 @@ def rest_over(made, cutter, height, most):
     [("plane", "bull:6:1", 5), ("cylinder across", "flat:6", 5), ("cylinder along", "flat:6", 5), ("cylinder along", "flat:6", 0),
      ("cylinder across", "bull:6:1", 0), ("sphere", "bull:6:1", 5), ("sphere", "flat:6", 0)],
 )  # fmt: skip
-def test_the_scallop_left_is_what_was_asked_for(name, shape, lead, tmp_path):
+def test_the_scallop_left_is_what_was_requested(name, shape, lead, tmp_path):
     scallop, cutter = 0.05, parse_cutter(shape)
     write_stl(surface(SURFACES[name]), tmp_path / "part.stl")
     given = {
@@ -388,12 +388,12 @@ def test_the_scallop_left_is_what_was_asked_for(name, shape, lead, tmp_path):
         "order": "one_way",
         **UNASKED,
     }
-    made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
-    rest = rest_over(made, cutter, SURFACES[name], 3 * scallop)
+    outcome = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
+    rest = rest_over(outcome, cutter, SURFACES[name], 3 * scallop)
     assert rest.max() <= 1.05 * scallop
     assert lead == 0 or rest.max() >= 0.35 * scallop  # no needless passes; a level bottom may leave none
     ball = job.make(build_settings("mill", str(tmp_path / "part.stl"), given | {"cutter": "ball:6"}))
-    assert made.contact.pass_.max() < ball.contact.pass_.max()  # what such a cutter is taken for
+    assert outcome.contact.pass_.max() < ball.contact.pass_.max()  # what such a cutter is taken for
 
 
 def test_a_scallop_that_is_too_high_would_be_noticed(tmp_path):
@@ -406,8 +406,8 @@ def test_a_scallop_that_is_too_high_would_be_noticed(tmp_path):
         "order": "one_way",
         **UNCURED,
     }
-    made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
-    assert rest_over(made, parse_cutter("bull:6:1"), SURFACES["plane"], 0.3).max() > 0.1
+    outcome = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
+    assert rest_over(outcome, parse_cutter("bull:6:1"), SURFACES["plane"], 0.3).max() > 0.1
 
 
 def test_under_a_fixed_axis_the_narrowest_stand_counts():
@@ -470,14 +470,14 @@ def test_post_notes_another_shape(parts, tmp_path):
     outputs.write_outputs(job.run(build_settings("mill", str(parts / "dome.stl"), given)))
 
     def notes(cutter):
-        made = job.make(
+        outcome = job.make(
             build_settings(
                 "post",
                 str(tmp_path / "a.apt"),
                 {"machine": "trunnion_ac", "cutter": cutter, "linearize": "off"},
             )
         )
-        return [finding for finding in made.findings if finding.code == "cutter-differs"]
+        return [finding for finding in outcome.findings if finding.code == "cutter-differs"]
 
     assert not notes("bull:10:2")
     assert "bull 10 mm, corner 2 mm" in notes("ball:10")[0].text and "retracts" in notes("bull:8:2")[0].text
@@ -501,18 +501,20 @@ def test_a_job_file_and_the_head_name_the_cutter(shape, parts):
 def test_the_tool_length_of_a_head_reaches_to_the_hub():
     given = {"machine": "fork_head_bc", "tool_length": 100, "control_point": "centre"}
     lengths = [
-        asked.load_setup(build_settings("mill", "x.stl", given | {"cutter": cutter}))[1]
+        wanted.load_setup(build_settings("mill", "x.stl", given | {"cutter": cutter}))[1]
         for cutter in ("ball:10", "bull:10:2", "flat:10")
     ]
     assert [setup.tool_length for setup in lengths] == [95.0, 98.0, 100.0]
 
 
 def test_rows_between_lie_on_the_facet_and_turn_evenly(milled):
-    made = milled("saddle", "trunnion_ac", cutter="bull:10:2", stepover=20).draft
-    bent = made.axis + np.where(np.arange(len(made.axis)) % 2, 0.3, -0.3)[:, None] * np.array([0.0, 1.0, 0.0])
+    outcome = milled("saddle", "trunnion_ac", cutter="bull:10:2", stepover=20).draft
+    bent = outcome.axis + np.where(np.arange(len(outcome.axis)) % 2, 0.3, -0.3)[:, None] * np.array(
+        [0.0, 1.0, 0.0]
+    )
     bent /= np.linalg.norm(bent, axis=1)[:, None]
-    sat, axis = seating.cl_offset_path(made.offset, bent, parse_cutter("bull:10:2"), 0.01)
+    placed, axis = seating.cl_offset_path(outcome.offset, bent, parse_cutter("bull:10:2"), 0.01)
     assert len(axis) > 2 * len(bent)
     np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1.0, atol=1e-12)
-    out = replace(sat, findings=()).centre - sat.point
+    out = replace(placed, findings=()).centre - placed.point
     assert np.linalg.norm(out, axis=1).max() < 5.0 + 1.0 and np.isfinite(out).all()

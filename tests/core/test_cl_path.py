@@ -246,7 +246,7 @@ def test_a_path_that_looks_up_has_no_findings():
 # --------------------------------------------------------------------------------------------------------
 
 
-def test_no_passes_is_said():
+def test_no_passes_is_stated():
     offset = three_passes()
     empty = replace(
         offset,

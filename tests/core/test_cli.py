@@ -48,7 +48,7 @@ def table(path):
         return list(csv.DictReader(stream))
 
 
-def test_mill_writes_every_file_that_is_asked_for(roof, tmp_path, capsys):
+def test_mill_writes_every_file_that_is_requested(roof, tmp_path, capsys):
     out = {name: tmp_path / name for name in ("a.ngc", "a.apt", "a.csv", "a.json", "a.html", "a.txt")}
     code = run("mill", roof, "--machine", "trunnion_ac", "--stepover", "5", "--tolerance", "100", *PLAIN_WORDS,
                "-o", out["a.ngc"], "--cl", out["a.apt"], "--blocks", out["a.csv"], "--report", out["a.json"], "--report", out["a.html"], "--report", out["a.txt"])  # fmt: skip
@@ -450,9 +450,9 @@ def test_an_interrupt_before_the_command_line_is_loaded_stops_quietly():
 
 
 def test_a_source_that_is_a_folder_or_cannot_be_a_file_is_named_for_what_it_is(roof, tmp_path, capsys):
-    for source, said in ((tmp_path, "is a folder"), (roof / "x", "Not a directory"), (tmp_path / ("a" * 300), "name too long"),
+    for source, message in ((tmp_path, "is a folder"), (roof / "x", "Not a directory"), (tmp_path / ("a" * 300), "name too long"),
                          (tmp_path / "gone", "does not exist")):  # fmt: skip
-        assert said in refused(
+        assert message in refused(
             capsys, tmp_path, "mill", source, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc"
         )
 

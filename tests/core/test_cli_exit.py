@@ -78,7 +78,7 @@ def test_a_fault_is_one_line_that_says_where_to_report_it(fault, nc, tmp_path, m
     assert "nothing was written" in error and os.listdir(tmp_path) == ["p.ngc"]
 
 
-def test_the_traceback_is_shown_where_it_is_asked_for(nc, monkeypatch, capsys):
+def test_the_traceback_is_shown_where_it_is_requested(nc, monkeypatch, capsys):
     monkeypatch.setattr(job, "run", lambda settings, progress: 1 / 0)
     monkeypatch.setenv(cli.TRACEBACK, "1")
     assert run("audit", nc, *AUDIT) == cli.FAULT
@@ -120,7 +120,7 @@ def test_a_module_of_our_own_that_is_missing_is_a_fault(nc, tmp_path, monkeypatc
     assert cli.REPORT_TO in capsys.readouterr().err
 
 
-def test_faults_are_told_where_the_package_says():
+def test_faults_are_reported_where_the_package_says():
     tracker = [url.text for url in ET.parse(ROOT / "package.xml").iter() if url.get("type") == "bugtracker"]
     assert tracker == [cli.REPORT_TO]
 
@@ -320,17 +320,17 @@ HAL = "[HAL]\nHALFILE = {}\n[KINS]\nKINEMATICS = xyzac-trt-kins\n[TRAJ]\nCOORDIN
 
 
 @pytest.mark.parametrize(
-    ("hal", "named", "said"),
+    ("hal", "named", "message"),
     [({"a.hal": "source a.hal\n" * 10}, "a.hal", "a.hal line 1: a.hal and others include one another in a circle"),
      ({f"{i}.hal": f"source {i + 1}.hal\n" * 10 * (i < 7) for i in range(8)}, "0.hal", "more than 200 files"),
      ({}, "~nosuchuser/x", "b.ini line 2: ~nosuchuser/x begins with the folder of a user who is not known")],
 )  # fmt: skip
-def test_hal_files_come_to_an_end(hal, named, said, tmp_path, capsys):
+def test_hal_files_come_to_an_end(hal, named, message, tmp_path, capsys):
     for name, text in hal.items():
         (tmp_path / name).write_text(text)
     (tmp_path / "b.ini").write_text(HAL.format(named))
     assert run("import-machine", tmp_path / "b.ini", "-o", tmp_path / "b.fcm") == cli.UNUSABLE
-    assert said in one_line(capsys)
+    assert message in one_line(capsys)
 
 
 NEST = "[" * 900 + "]" * 900

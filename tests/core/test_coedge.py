@@ -330,7 +330,7 @@ def random_profile(rng):
 
 
 @pytest.mark.parametrize("seed", range(150))
-def test_random_profiles_are_kept_off_or_it_is_said(seed):
+def test_random_profiles_are_kept_off_or_it_is_stated(seed):
     rng = np.random.default_rng(seed)
     contact = prism(list(zip(*random_profile(rng), strict=True)))
     path = closed(contact, tolerance=rng.choice([0.01, 1.0]))
@@ -342,7 +342,7 @@ def test_random_profiles_are_kept_off_or_it_is_said(seed):
     assert near > 5 - 0.01 or "surface-tighter-than-cutter" in codes(path)
 
 
-def test_what_cannot_be_resolved_is_said(monkeypatch):
+def test_what_cannot_be_resolved_is_stated(monkeypatch):
     monkeypatch.setattr(trimming, "ROUNDS", 1)
     angle = np.linspace(np.pi, 1.5 * np.pi, 40)
     fillet = [(3 * np.cos(t), 3 + 3 * np.sin(t)) for t in angle]
@@ -363,7 +363,7 @@ def test_rough_ground_gives_finite_rows_and_says_where_it_is_poor():
 
 
 @pytest.mark.parametrize("radius", [4.0, 5.0])
-def test_on_wavy_ground_no_height_is_told_that_is_not_known(radius, worst):
+def test_on_wavy_ground_no_height_is_reported_that_is_not_known(radius, worst):
     """More stays than is measured to the facets that were dropped: by brute force over all segments against
     all chords."""
     mesh = field(lambda x, y: 1.5 * np.sin(x / 1.5) * np.cos(y / 2.0), 31)

@@ -46,8 +46,8 @@ COARSER = {"stepover": 20.0, "rings": 8}
 MACHINES = ("trunnion_ac", "mikron_ucp710", "head_b_table_c")
 
 
-def stations(made, names=MACHINES):
-    how = posting(made)
+def stations(result, names=MACHINES):
+    how = posting(result)
     for name in names:
         machine = load_machine(name)
         dialect = find_dialect(machine.controller or DEFAULT_CONTROLLER)
@@ -108,15 +108,15 @@ def cells(row):
 
 @pytest.mark.slow
 def test_every_cell_is_that_of_a_separate_run_with_every_cure():
-    made = milled(tool_length=80.0, **COARSER)
-    tried = {**cures(made), "halved": halved, "leaned": leading(AxisCorrection(leaned), made)}
-    places = list(stations(made))
-    rows = compare(made.path, places, tried, guided=(False,))
+    result = milled(tool_length=80.0, **COARSER)
+    tried = {**cures(result), "halved": halved, "leaned": leading(AxisCorrection(leaned), result)}
+    places = list(stations(result))
+    rows = compare(result.path, places, tried, guided=(False,))
     assert [(row.machine, row.cure) for row in rows] == [
         (where.name, name) for where in places for name in tried
     ]
     for row, (where, name) in zip(rows, [(where, name) for where in places for name in tried], strict=True):
-        assert cells(row) == pytest.approx(separate(made.path, where, tried[name]), rel=1e-12)
+        assert cells(row) == pytest.approx(separate(result.path, where, tried[name]), rel=1e-12)
     by_cure = {name: [row for row in rows if row.cure == name] for name in tried}
     for none, half, lean in zip(by_cure["none"], by_cure["halved"], by_cure["leaned"], strict=True):
         assert (
@@ -127,9 +127,9 @@ def test_every_cell_is_that_of_a_separate_run_with_every_cure():
 
 
 def test_a_cl_file_compared_is_the_same_as_posted_to_each_machine(tmp_path):
-    made = milled(tool_length=80.0, **COARSE)
+    result = milled(tool_length=80.0, **COARSE)
     source = tmp_path / "cap.apt"
-    source.write_bytes(write_apt(made.path, made.settings.cutter.cutter, "cap"))
+    source.write_bytes(write_apt(result.path, result.settings.cutter.cutter, "cap"))
     given = {"tool_length": 80.0, "feed_mode": "g94"}
     found = try_machines(build_settings("compare", str(source), {"machines": ",".join(MACHINES), **given}))
     rows = [row for row in found.rows if not row.tool_centre and row.cure == "none"]
@@ -211,8 +211,8 @@ def test_under_tool_centre_control_a_block_that_goes_nowhere_takes_no_time_and_a
 
 
 def test_with_tool_centre_control_the_tip_stays_on_its_chord_and_the_axes_pay():
-    made = milled(tool_length=80.0, **COARSE)
-    off, on = compare(made.path, list(stations(made, ["trunnion_ac"])))
+    result = milled(tool_length=80.0, **COARSE)
+    off, on = compare(result.path, list(stations(result, ["trunnion_ac"])))
     assert (
         (off.tool_centre, on.tool_centre) == (False, True)
         and off.deviation > 0.01
@@ -222,18 +222,18 @@ def test_with_tool_centre_control_the_tip_stays_on_its_chord_and_the_axes_pay():
 
 
 def test_a_machine_that_cannot_and_a_cure_that_refuses_are_rows_with_their_reason():
-    made = milled(**COARSE)
+    result = milled(**COARSE)
 
     def refusing(path, where, progress):
         raise SettingsError("this cure wants 2 deg at least")
 
-    beneath = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))
+    beneath = replace(result.path, axis=result.path.axis * (1.0, 1.0, -1.0))
     rows = compare(
-        beneath, list(stations(made, ["mikron_ucp710"])), {"none": solve_path, "refusing": refusing}
+        beneath, list(stations(result, ["mikron_ucp710"])), {"none": solve_path, "refusing": refusing}
     )
     assert all(row.problem and math.isnan(row.deviation) for row in rows) and len(rows) == 4
     with pytest.raises(ReachError):
-        solve_path(beneath, next(stations(made, ["mikron_ucp710"])))
+        solve_path(beneath, next(stations(result, ["mikron_ucp710"])))
     assert (
         "None of the machines" in verdict(rows)
         and "impossible" in compare_text(rows)
@@ -243,34 +243,36 @@ def test_a_machine_that_cannot_and_a_cure_that_refuses_are_rows_with_their_reaso
 
 
 def test_a_cure_that_leads_the_axes_needs_the_solid():
-    made = milled(**COARSE)
+    result = milled(**COARSE)
     posted = job.PostedProgram(
         **{
             name: value
-            for name, value in vars(made).items()
+            for name, value in vars(result).items()
             if name in job.PostedProgram.__dataclass_fields__
         }
     )
     row, _ = compare(
-        made.path, list(stations(made, ["trunnion_ac"])), {"leaned": leading(AxisCorrection(leaned), posted)}
+        result.path,
+        list(stations(result, ["trunnion_ac"])),
+        {"leaned": leading(AxisCorrection(leaned), posted)},
     )
     assert "STL" in row.problem
 
 
 def test_nothing_to_compare_is_refused():
-    made = milled(**COARSE)
+    result = milled(**COARSE)
     with pytest.raises(SettingsError, match="at least one machine"):
-        compare(made.path, [])
+        compare(result.path, [])
     empty = replace(
-        made.path,
+        result.path,
         **{
-            name: getattr(made.path, name)[:0]
-            for name in made.path.__dataclass_fields__
+            name: getattr(result.path, name)[:0]
+            for name in result.path.__dataclass_fields__
             if name != "findings"
         },
     )
     with pytest.raises(SettingsError, match="no rows"):
-        compare(empty, list(stations(made)))
+        compare(empty, list(stations(result)))
 
 
 def test_an_unknown_cure_is_named_with_those_that_there_are():
@@ -280,7 +282,7 @@ def test_an_unknown_cure_is_named_with_those_that_there_are():
 
 @pytest.mark.slow
 def test_a_new_line_in_the_table_of_cures_is_compared(monkeypatch):
-    monkeypatch.setattr(cure_table, "CURES", {**CURES, "halved": lambda made: halved})
+    monkeypatch.setattr(cure_table, "CURES", {**CURES, "halved": lambda result: halved})
     settings = build_settings(
         "compare", "cap.stl", {"machines": "trunnion_ac", "stepover": COARSER["stepover"]}
     )
@@ -310,15 +312,15 @@ def test_an_unknown_machine_is_refused_before_the_work():
 
 
 def test_the_words_name_the_quickest_that_holds_the_tolerance():
-    made = milled(tool_length=80.0, **COARSE)
-    rows = compare(made.path, list(stations(made)))
+    result = milled(tool_length=80.0, **COARSE)
+    rows = compare(result.path, list(stations(result)))
     best = min((row for row in rows if row.tool_centre), key=lambda row: row.time)
-    told = f"{best.machine} with no correction, tool-centre control, {duration(best.time)}."
+    reported = f"{best.machine} with no correction, tool-centre control, {duration(best.time)}."
     guided = (
         "In 3 of these the controller guides the tip: only the end points of blocks are verified there, the "
         "path between them is under RTCP."
     )
-    assert verdict(rows, 0.001) == f"3 of 6 ways hold 0.001 mm; the quickest is {told} {guided}"
+    assert verdict(rows, 0.001) == f"3 of 6 ways hold 0.001 mm; the quickest is {reported} {guided}"
     straight = [row for row in rows if not row.tool_centre]
     assert "RTCP" not in verdict(straight, 10.0) and "hold 10 mm" in verdict(straight, 10.0)
     lines = compare_text(rows, 0.001).splitlines()
@@ -333,22 +335,22 @@ def test_the_words_name_the_quickest_that_holds_the_tolerance():
 
 def test_the_progress_of_cures_with_many_stages_never_goes_back():
     seen = []
-    told = Share(lambda stage, fraction: seen.append(fraction), 1, 4)
+    reported = Share(lambda stage, fraction: seen.append(fraction), 1, 4)
     for stage in ("", "joint path", "minimax axes", "minimax axes", "gouge"):
         for step in range(11):
-            told(stage, step / 10)
+            reported(stage, step / 10)
     assert seen == sorted(seen) and seen[0] == 0.25 and 0.45 < seen[-1] < 0.5
     assert max(np.diff(seen)) < 0.02, "and it moves with each word of a cure"
 
 
 def test_progress_runs_to_1_and_may_be_cancelled():
-    made, seen = milled(**COARSE), []
-    places = list(stations(made, ["trunnion_ac", "trunnion_bc"]))
-    compare(made.path, places, progress=lambda stage, fraction: seen.append(fraction))
+    result, seen = milled(**COARSE), []
+    places = list(stations(result, ["trunnion_ac", "trunnion_bc"]))
+    compare(result.path, places, progress=lambda stage, fraction: seen.append(fraction))
     assert seen == sorted(seen) and seen[-1] == 1.0
 
     def stop(stage, fraction):
         raise Cancelled(stage)
 
     with pytest.raises(Cancelled):
-        compare(made.path, places, progress=stop)
+        compare(result.path, places, progress=stop)

@@ -89,11 +89,11 @@ def tell_meetings(one, other, within, count=200):
     """What is told, and whether the pieces really are so near; but for those that are so to 0.01 mm."""
     rng, turns = np.random.default_rng(5), Rotation.random(count, random_state=5).as_matrix()
     shifts = rng.uniform(-130.0, 130.0, (count, 3))
-    told = find_met_poses(one, other, Poses(turns, shifts), within)
+    reported = find_met_poses(one, other, Poses(turns, shifts), within)
     real = [apart(one, other, turn, shift) for turn, shift in zip(turns, shifts, strict=True)]
     gap = np.array([-1.0 if met else distance for distance, met in real]) - one.round - other.round
     sure = np.abs(gap - within) > 0.01
-    return told[sure], (gap <= within)[sure]
+    return reported[sure], (gap <= within)[sure]
 
 
 @some_in_core("within", [0.0, 7.0], kept=(1,))
@@ -103,8 +103,8 @@ def tell_meetings(one, other, within, count=200):
     ids=["bar-cone", "cone-bar", "bar-sheet", "sheet-bar", "disc-cone", "bar-disc"],
 )
 def test_pieces_meet_exactly_where_least_squares_say_so(one, other, within):
-    told, real = tell_meetings(one, other, within)
-    assert (told == real).all() and real.any() and not real.all()
+    reported, real = tell_meetings(one, other, within)
+    assert (reported == real).all() and real.any() and not real.all()
 
 
 @pytest.mark.parametrize("name", ["reach", "inmost"])
@@ -113,8 +113,8 @@ def test_balls_that_are_too_small_or_too_large_would_be_noticed(name, monkeypatc
     for piece in (one, other):
         value = 0.5 * piece.reach if name == "reach" else (piece.inmost[0], 3.0 * piece.inmost[1])
         monkeypatch.setitem(piece.__dict__, name, value)
-    told, real = tell_meetings(one, other, 0.0)
-    assert (told != real).any()
+    reported, real = tell_meetings(one, other, 0.0)
+    assert (reported != real).any()
 
 
 def test_a_piece_faces_a_point_by_the_plane_that_the_point_is_farthest_outside_of():
@@ -188,7 +188,7 @@ def cell_slack(name, joined, count=60):
 
 @pytest.mark.parametrize("joined", [True, False])
 @pytest.mark.parametrize("name", MACHINES)
-def test_in_no_sample_of_a_cell_the_gap_is_less_than_is_said_to_be_left(name, joined):
+def test_in_no_sample_of_a_cell_the_gap_is_less_than_is_stated_to_be_left(name, joined):
     assert cell_slack(name, joined) > -1e-9
 
 
@@ -212,7 +212,7 @@ def slack_of_two_turns():
     return min(slack)
 
 
-def test_no_corner_goes_lower_by_two_turns_of_their_own_than_is_said():
+def test_no_corner_goes_lower_by_two_turns_of_their_own_than_is_stated():
     assert slack_of_two_turns() > -1e-9
 
 

@@ -45,10 +45,10 @@ def test_sides_stay_as_short_as_ever_where_there_are_few():
     assert side.max() <= scallop_passes.LONGEST * STEP + 1e-9
 
 
-def test_steps_over_long_slivers_are_as_far_apart_as_asked():
+def test_steps_over_long_slivers_are_as_far_apart_as_requested():
     """On a mantle the distance from both rims is known: Z, or the height less Z."""
     with patch.object(scallop_passes, "MOST_FACETS", 4000):
-        made = surface(tube(400))
-    steps = scallop_passes.lay_steps(made, None) * STEP
-    z = made.copy.mesh.vertex[:, 2]
+        result = surface(tube(400))
+    steps = scallop_passes.lay_steps(result, None) * STEP
+    z = result.copy.mesh.vertex[:, 2]
     assert np.abs(steps - np.minimum(z, HEIGHT - z)).max() < 0.1 * STEP

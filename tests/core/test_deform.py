@@ -30,7 +30,7 @@ QUIET = np.radians(1.0)  # a pass on which C turns less has nothing to be cured
 
 
 @lru_cache(maxsize=64)
-def led(*args, change=CHANGE, **options):
+def correct_axes(*args, change=CHANGE, **options):
     offset, axis, kinematics = dome_passes(*args, **dict(options))
     return reroute_axes(offset, axis, kinematics, change)
 
@@ -58,10 +58,10 @@ def near_pole(offset, axis, kinematics, angle=CHANGE):
     )
 
 
-def short_of_ten(offset, axis, led_axis, kinematics):
+def short_of_ten(offset, axis, corrected_axis, kinematics):
     """Polylines within 2 deg of the pole on which peak rate or travel of the first word did not fall ten
     times."""
-    before, after = (turned(offset, drive(offset, part, kinematics)) for part in (axis, led_axis))
+    before, after = (turned(offset, drive(offset, part, kinematics)) for part in (axis, corrected_axis))
     near = near_pole(offset, axis, kinematics) & (before[1] > QUIET)
     assert near.any()
     return np.flatnonzero(near & ((10 * after[0] > before[0]) | (10 * after[1] > before[1])))
@@ -74,7 +74,7 @@ def test_on_the_dome_c_turns_ten_times_less_and_slower_on_every_pass_within_2_de
     name, stepover, direction
 ):
     offset, axis, kinematics = dome_passes(name, stepover, direction)
-    assert not len(short_of_ten(offset, axis, led(name, stepover, direction).axis, kinematics))
+    assert not len(short_of_ten(offset, axis, correct_axes(name, stepover, direction).axis, kinematics))
 
 
 def test_axes_as_given_would_fail_that():
@@ -85,7 +85,7 @@ def test_axes_as_given_would_fail_that():
 def test_where_ten_times_is_not_reached_no_way_within_2_deg_reaches_it():
     """Finer passes: of those that only just come within 2 deg some need a turn, whatever way they are led."""
     offset, axis, kinematics = dome_passes("trunnion_ac", 0.25, 0.0)
-    found = led("trunnion_ac", 0.25, 0.0)
+    found = correct_axes("trunnion_ac", 0.25, 0.0)
     short = short_of_ten(offset, axis, found.axis, kinematics)
     assert 0 < len(short) <= 2
     for line in short:
@@ -100,7 +100,7 @@ def test_the_turn_left_is_near_the_least_possible(name, stepover):
     """A nutating axis turns C along even through the pole. What more is turned than must be comes from
     keeping to given axes."""
     offset, axis, kinematics = dome_passes(name, stepover)
-    found = led(name, stepover)
+    found = correct_axes(name, stepover)
     for line in np.flatnonzero(near_pole(offset, axis, kinematics)):
         least = least_turn(kinematics, axis[offset.polyline == line], CHANGE)
         assert least - 0.02 < found.after.first[line] < least + np.radians(15.0)
@@ -109,7 +109,7 @@ def test_the_turn_left_is_near_the_least_possible(name, stepover):
 @pytest.mark.parametrize("name", MACHINES)
 def test_no_pass_is_worse_and_the_axis_keeps_to_its_change_the_part_and_the_limits(name):
     offset, axis, kinematics = dome_passes(name)
-    found = led(name)
+    found = correct_axes(name)
     assert found.rerouted.any()
     assert angle_between(found.axis, axis).max() <= CHANGE
     np.testing.assert_allclose(np.linalg.norm(found.axis, axis=1), 1, atol=1e-12)
@@ -128,14 +128,14 @@ def test_no_pass_is_worse_and_the_axis_keeps_to_its_change_the_part_and_the_limi
 def test_the_peak_rate_falls_on_machines_that_cannot_pass_the_pole_for_nothing(name, times):
     """The mikron leans 30 deg to the other side: no pass goes through, all go around."""
     offset, axis, kinematics = dome_passes(name, 1.0)
-    found, near = led(name, 1.0), near_pole(offset, axis, kinematics)
+    found, near = correct_axes(name, 1.0), near_pole(offset, axis, kinematics)
     assert (found.before.peak[near] > times * found.after.peak[near]).all()
 
 
 @pytest.mark.parametrize(
     "options", [{"strategy": "step_weighted"}, {"lead": 0.02}, {"tilt": -0.03}, {"order": "one_way"}]
 )
-def test_any_axes_are_led(options):
+def test_any_axes_are_corrected(options):
     offset, axis, kinematics = dome_passes("trunnion_ac", **options)
     found = reroute_axes(offset, axis, kinematics, CHANGE)
     assert found.rerouted.any() and not found.after.worse(found.before)[~found.rerouted].any()
@@ -148,7 +148,7 @@ def test_any_axes_are_led(options):
 def test_a_way_that_the_machine_cannot_drive_as_meant_gives_way_to_one_around():
     """Through the pole the mikron would have to turn C by half a turn at once: lower than given, but no
     cure."""
-    found = led("mikron_ucp710", 1.0, np.radians(45.0), half_width=2.0)
+    found = correct_axes("mikron_ucp710", 1.0, np.radians(45.0), half_width=2.0)
     assert found.rerouted.all() and found.before.peak.max() > 100 * found.after.peak.max()
 
 
@@ -156,7 +156,7 @@ def test_after_an_odd_number_of_passes_through_the_pole_nothing_else_is_worse_on
     """On the other branch its C turns further on every pass that follows; so one pass goes around, or the
     machine swaps back."""
     offset, axis, kinematics = dome_passes("nutating_table_b45", 0.5)
-    found = led("nutating_table_b45", 0.5)
+    found = correct_axes("nutating_table_b45", 0.5)
     near = near_pole(offset, axis, kinematics)
     assert near.sum() == 5 and found.rerouted[near].all() and not found.after.worse(found.before).any()
     assert (found.after.first[near] < 0.3 * found.before.first[near]).sum() >= 4
@@ -165,25 +165,25 @@ def test_after_an_odd_number_of_passes_through_the_pole_nothing_else_is_worse_on
 
 def test_rows_of_one_contact_point_keep_one_axis_between_them():
     offset, axis, _ = dome_passes("trunnion_ac")
-    made = led("trunnion_ac").axis
+    result = correct_axes("trunnion_ac").axis
     one = (np.abs(np.diff(offset.point, axis=0)).max(1) == 0) & (np.abs(np.diff(axis, axis=0)).max(1) == 0)
     assert one.sum() > 1000
-    assert np.abs(np.diff(made, axis=0)[one]).max() < 1e-12
+    assert np.abs(np.diff(result, axis=0)[one]).max() < 1e-12
 
 
 def test_axes_that_keep_off_the_pole_are_returned_as_they_are():
     offset, axis, kinematics = dome_passes("trunnion_ac", tilt=0.5)
     for given in (axis, np.repeat([[0.0, 0.0, 1.0]], len(axis), axis=0)):
-        made, findings = deform_axes(offset, given, kinematics, CHANGE)
-        np.testing.assert_array_equal(made, given)
+        result, findings = deform_axes(offset, given, kinematics, CHANGE)
+        np.testing.assert_array_equal(result, given)
         assert not findings
     nothing = np.zeros(0, int)
     assert deform_axes(take_path_rows(offset, nothing), axis[nothing], kinematics, CHANGE)[0].shape == (0, 3)
 
 
-def test_the_findings_say_what_was_led_and_what_is_left():
+def test_the_findings_say_what_was_corrected_and_what_is_left():
     offset, axis, kinematics = dome_passes("mikron_ucp710")
-    found = led("mikron_ucp710")
+    found = correct_axes("mikron_ucp710")
     _, findings = deform_axes(offset, axis, kinematics, CHANGE)
     assert [finding.code for finding in findings] == ["axis-led-past-pole"]
     assert findings[0].text.startswith(
@@ -206,12 +206,12 @@ def test_a_change_out_of_range_is_refused(change):
 
 def test_it_says_where_it_stands_and_can_be_stopped():
     offset, axis, kinematics = dome_passes("trunnion_ac")
-    said = []
-    deform_axes(offset, axis, kinematics, CHANGE, lambda stage, share: said.append((stage, share)))
-    assert {stage for stage, _ in said} >= {"leading past the pole", "driving what is led"}
-    assert all(0 <= share <= 1 for _, share in said)
-    for stop in (0, len(said) // 2, len(said) - 1):
-        calls = iter(range(len(said)))
+    message = []
+    deform_axes(offset, axis, kinematics, CHANGE, lambda stage, share: message.append((stage, share)))
+    assert {stage for stage, _ in message} >= {"leading past the pole", "driving what is led"}
+    assert all(0 <= share <= 1 for _, share in message)
+    for stop in (0, len(message) // 2, len(message) - 1):
+        calls = iter(range(len(message)))
 
         def cancel(stage, share, calls=calls, stop=stop):
             if next(calls) == stop:
@@ -265,7 +265,7 @@ def test_the_number_of_blocks_is_an_estimate_that_bisection_of_real_blocks_confi
     assert trade.blocks[0] == pytest.approx((~over).sum() + count, rel=0.02)
 
 
-def test_the_trade_is_told_in_one_note():
+def test_the_trade_is_reported_in_one_note():
     offset, axis, kinematics = dome_passes("trunnion_ac")
     (note,) = trade_findings(offset, axis, kinematics, CHANGE, 0.01, 5.0)
     assert note.code == "axis-change-trade" and "the 5 passes that come within 2 deg" in note.text
@@ -293,10 +293,10 @@ def milled(dome):
     return mill
 
 
-def program_figures(made, shortest=1e-3):
+def program_figures(result, shortest=1e-3):
     """Peak rate deg/mm and turn deg of C on every pass, from the rounded words; blocks shorter than a
     micrometre, in which rounding is all there is, count as that long."""
-    program, path = made.program, made.joints.path
+    program, path = result.program, result.joints.path
     pass_ = path.pass_[program.row]
     on_part = (program.motion <= Motion.FILL) & (pass_ >= 0)
     step = np.abs(np.diff(program.words[:, 3], prepend=program.words[:1, 3]))
@@ -312,11 +312,11 @@ def program_figures(made, shortest=1e-3):
 @pytest.mark.thorough
 def test_the_programs_c_is_ten_times_slower_and_its_contacts_stay_where_they_are(milled):
     plain, cured = milled(), milled(("singularity", "deform"))
-    rows = [made.path.pass_ >= 0 for made in (plain, cured)]
+    rows = [result.path.pass_ >= 0 for result in (plain, cured)]
     np.testing.assert_allclose(cured.path.contact[rows[1]], plain.path.contact[rows[0]], atol=1e-9, rtol=0)
     centre = [
-        Cutter(10.0).radius * made.path.axis[row] + made.path.tip[row]
-        for made, row in zip((plain, cured), rows, strict=True)
+        Cutter(10.0).radius * result.path.axis[row] + result.path.tip[row]
+        for result, row in zip((plain, cured), rows, strict=True)
     ]
     np.testing.assert_allclose(centre[1], centre[0], atol=1e-9, rtol=0)
     tilt = np.degrees(np.arccos(np.clip(plain.path.axis[rows[0], 2], -1, 1)))
@@ -342,7 +342,7 @@ def test_report_is_the_default_and_changes_no_byte(milled):
 def test_a_driven_centre_runs_the_same_way_with_other_axes(milled):
     given = ("stepover", 5.0), ("control_point", "centre")
     plain, cured = (milled(*given, ("singularity", kind)) for kind in ("report", "deform"))
-    rows = [made.path.pass_ >= 0 for made in (plain, cured)]
+    rows = [result.path.pass_ >= 0 for result in (plain, cured)]
     np.testing.assert_allclose(cured.path.tip[rows[1]], plain.path.tip[rows[0]], atol=1e-9, rtol=0)
     assert np.abs(cured.path.axis[rows[1]] - plain.path.axis[rows[0]]).max() > 0.01
 
@@ -363,18 +363,18 @@ def test_linuxcnc_accepts_the_program(milled, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("options", "said"),
+    ("options", "message"),
     [(["--singularity", "bend"], "'report', 'linearize', 'deform'"), (["--max-axis-change", "40"], "40 is out of range; it must be at least 0.01 deg"),
      (["--max-axis-change", "0"], "0 is out of range; it must be at least 0.01 deg and at most 30 deg"),
      (["--max-axis-change", "nan"], "nan")],
 )  # fmt: skip
-def test_bad_values_end_with_2_and_are_named_with_a_remedy(options, said, dome, tmp_path, capsys):
+def test_bad_values_end_with_2_and_are_named_with_a_remedy(options, message, dome, tmp_path, capsys):
     target = tmp_path / "out.ngc"
     try:
         code = cli.main(["mill", str(dome), "--machine", "trunnion_ac", *options, "-o", str(target)])
     except SystemExit as left:
         code = left.code
-    assert code == 2 and said in capsys.readouterr().err.replace(
+    assert code == 2 and message in capsys.readouterr().err.replace(
         "choose from report, linearize, deform", "'report', 'linearize', 'deform'"
     )
     assert not target.exists()
@@ -385,10 +385,10 @@ def test_a_cl_file_keeps_its_axes(tmp_path):
         build_settings("post", "a.apt", {"machine": "trunnion_ac", "singularity": "deform"})
 
 
-def test_led_axes_are_within_reach_of_the_machine():
+def test_corrected_axes_are_within_reach_of_the_machine():
     """The other route to the limits: the inverse of every led axis has a branch within them."""
     offset, _, kinematics = dome_passes("mikron_ucp710")
-    second = inverse_axis(kinematics, led("mikron_ucp710").axis)[0][:, :, 1]
+    second = inverse_axis(kinematics, correct_axes("mikron_ucp710").axis)[0][:, :, 1]
     low, high = kinematics.low[4], kinematics.high[4]
     assert ((second >= low - 1e-9) & (second <= high + 1e-9)).any(0).all()
     assert len(offset.point) == second.shape[1]

@@ -80,25 +80,25 @@ def test_random_facets_demand_what_dense_samples_of_them_demand(kind):
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("kind", CUTTERS)
-def test_the_highest_asked_first_demand_what_all_asked_at_once_demand(kind, monkeypatch):
+def test_the_highest_requested_first_demand_what_all_requested_at_once_demand(kind, monkeypatch):
     rng, cutter = np.random.default_rng(8), CUTTERS[kind]
     facets = rng.uniform(-12.0, 12.0, (400, 1, 3)) + rng.normal(scale=2.0, size=(400, 3, 3))
     tree, axis = facet_tree(from_triangles(facets)), rng.normal(size=(30, 3))
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     up = ways_up(rng.uniform(-12.0, 12.0, (30, 3)), axis, np.full(30, 40.0))
-    lifts, asked, whole = [], [], refinement.raise_to_demand
+    lifts, wanted, whole = [], [], refinement.raise_to_demand
 
     def counted(lift, block, *rest):
-        asked[-1] += len(block)
+        wanted[-1] += len(block)
         whole(lift, block, *rest)
 
     monkeypatch.setattr(refinement, "raise_to_demand", counted)
     for at_once in (10**9, 16):
         monkeypatch.setattr(refinement, "FEW_AT_ONCE", at_once)
-        asked.append(0)
+        wanted.append(0)
         lifts.append(find_demanded_lift(body_of(cutter), tree, up, LIMIT))
     np.testing.assert_array_equal(*lifts)
-    assert (lifts[0] > 0.0).all() and asked[1] < 0.9 * asked[0], asked
+    assert (lifts[0] > 0.0).all() and wanted[1] < 0.9 * wanted[0], wanted
 
 
 @pytest.mark.parametrize("still", [True, False])
@@ -113,16 +113,16 @@ def test_what_lies_too_low_to_demand_more_is_not_gone_into_and_nothing_is_lost_b
     )
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     ways = still_positions(tip, axis) if still else ways_up(tip, axis, np.full(10, 40.0))
-    lifts, asked, whole, prune = [], [], traversal.facet_bound, traversal.may_demand
+    lifts, wanted, whole, prune = [], [], traversal.facet_bound, traversal.may_demand
 
     def counted(piece, sweep, tree, node):
-        asked[-1] += len(node)
+        wanted[-1] += len(node)
         return whole(piece, sweep, tree, node)
 
     monkeypatch.setattr(traversal, "facet_bound", counted)
     for may in (prune, lambda body, ways, tree, node, lift: np.ones(len(node), np.bool_)):
         monkeypatch.setattr(traversal, "may_demand", may)
-        asked.append(0)
+        wanted.append(0)
         lifts.append(find_demanded_lift(body_of(cutter), tree, ways, LIMIT))
     np.testing.assert_allclose(*lifts, atol=1e-9)
-    assert (lifts[0] > 0.0).all() and asked[0] < 0.7 * asked[1], asked
+    assert (lifts[0] > 0.0).all() and wanted[0] < 0.7 * wanted[1], wanted

@@ -78,25 +78,25 @@ def undivided(machine, part, **options):
         return milled_anew(machine, part, **options)
 
 
-def codes(made):
-    return {one.code for one in job.prove(made).findings}
+def codes(outcome):
+    return {one.code for one in job.prove(outcome).findings}
 
 
 @pytest.mark.thorough
 @some_in_core(("machine", "part", "options"), CASES)
 def test_no_rapid_of_our_own_is_clear_only_if_interpolated(machine, part, options):
     assert "independent-rapid" in codes(undivided(machine, part, **options)), "the stage has something to do"
-    made = milled(machine, part, **options)
-    assert not {"independent-rapid", "rapid-unproven", "rapid-collision"} & codes(made)
-    told = [one for one in made.findings if one.code == "rapids-divided"]
-    assert len(told) == 1 and told[0].severity is Severity.NOTE
+    outcome = milled(machine, part, **options)
+    assert not {"independent-rapid", "rapid-unproven", "rapid-collision"} & codes(outcome)
+    reported = [one for one in outcome.findings if one.code == "rapids-divided"]
+    assert len(reported) == 1 and reported[0].severity is Severity.NOTE
 
 
-def added(made, plain):
+def added(outcome, plain):
     """The rows that the program has beside those of the other, which it all has in order; and the row of that
     before each."""
     rows, before, at = [], [], 0
-    for k, words in enumerate(made.program.words):
+    for k, words in enumerate(outcome.program.words):
         if at < len(plain.program.words) and (words == plain.program.words[at]).all():
             at += 1
         else:
@@ -108,13 +108,13 @@ def added(made, plain):
 
 @some_in_core(("machine", "part", "options"), CASES[:4], kept=(0, 3))
 def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(machine, part, options):
-    made, plain = milled(machine, part, **options), undivided(machine, part, **options)
-    rows, before = added(made, plain)
-    told = next(one for one in made.findings if one.code == "rapids-divided")
+    outcome, plain = milled(machine, part, **options), undivided(machine, part, **options)
+    rows, before = added(outcome, plain)
+    reported = next(one for one in outcome.findings if one.code == "rapids-divided")
     assert (
-        len(rows) == told.value
-        and (made.program.motion[rows] == Motion.RAPID).all()
-        and not made.program.feed[rows].any()
+        len(rows) == reported.value
+        and (outcome.program.motion[rows] == Motion.RAPID).all()
+        and not outcome.program.feed[rows].any()
     )
 
     def commanded(program):
@@ -125,23 +125,23 @@ def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(machine, part, opt
     start, end, here = (
         commanded(plain.program)[before],
         commanded(plain.program)[before + 1],
-        commanded(made.program)[rows],
+        commanded(outcome.program)[rows],
     )
     longest = np.abs(end - start).argmax(axis=1)[:, None]
     share = np.take_along_axis(here - start, longest, 1) / np.take_along_axis(end - start, longest, 1)
     assert ((share > 0.0) & (share < 1.0)).all()
     assert np.abs(start + share * (end - start) - here).max() < 1.1e-3, "a step of the words"
-    assert plain.nc.count(b"\n") + len(rows) == made.nc.count(b"\n"), "a line a row"
+    assert plain.nc.count(b"\n") + len(rows) == outcome.nc.count(b"\n"), "a line a row"
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize(("machine", "part", "options"), CASES[:1])
 def test_dense_simulation_over_random_rates_finds_no_entry(machine, part, options):
-    made, plain = milled(machine, part, **options), undivided(machine, part, **options)
-    rows, before = added(made, plain)
-    space, points = JointSpace.of(made.kinematics), points_of(made.mesh)
-    body, blocks = tool_body(made.settings), np.unique(np.concatenate([rows - 1, rows]))
-    assert simulated(made.program.words, body, space, points, 3, blocks, 6).max() <= LIMIT
+    outcome, plain = milled(machine, part, **options), undivided(machine, part, **options)
+    rows, before = added(outcome, plain)
+    space, points = JointSpace.of(outcome.kinematics), points_of(outcome.mesh)
+    body, blocks = tool_body(outcome.settings), np.unique(np.concatenate([rows - 1, rows]))
+    assert simulated(outcome.program.words, body, space, points, 3, blocks, 6).max() <= LIMIT
     assert simulated(plain.program.words, body, space, points, 3, np.unique(before), 6).max() > 1.0, (
         "it would notice"
     )
@@ -166,8 +166,8 @@ def clearance(mesh=BLOCK):
 def kinematics(**modulo):
     machine = load_machine("trunnion_ac")
     axes = tuple(dataclasses.replace(axis, wrap=modulo.get(axis.letter, axis.wrap)) for axis in machine.axes)
-    made = dataclasses.replace(machine, axes=axes)
-    return chain(made, Setup(made.origin))
+    outcome = dataclasses.replace(machine, axes=axes)
+    return chain(outcome, Setup(outcome.origin))
 
 
 def ways(*rapids):
@@ -227,11 +227,11 @@ def test_findings_stay_with_their_rows():
     words = [(-60.0, 0.0, 90.0, 0.0, 0.0), *OVER, (60.0, 5.0, 10.0, 0.0, 0.0)]
     findings = tuple(Finding(Severity.NOTE, "here", "Here.", block=k) for k in range(4))
     given = joints(machine, words, findings)
-    made = divide_rapids(given, machine, find_dialect("haas"), clearance())
-    assert len(made.q) > len(given.q)
-    at = [one.block for one in made.findings if one.code == "here"]
-    assert made.q[at] == pytest.approx(given.q) and made.row[at].tolist() == [0, 1, 2, 3]
-    assert made.path.tip[at] == pytest.approx(given.path.tip)
+    outcome = divide_rapids(given, machine, find_dialect("haas"), clearance())
+    assert len(outcome.q) > len(given.q)
+    at = [one.block for one in outcome.findings if one.code == "here"]
+    assert outcome.q[at] == pytest.approx(given.q) and outcome.row[at].tolist() == [0, 1, 2, 3]
+    assert outcome.path.tip[at] == pytest.approx(given.path.tip)
 
 
 def test_a_rapid_that_is_clear_only_if_interpolated_has_a_marker_in_each_run():
@@ -246,7 +246,7 @@ def test_a_rapid_that_is_clear_only_if_interpolated_has_a_marker_in_each_run():
 
 @pytest.mark.parametrize(("machine", "part", "options"), [CASES[0], CASES[3]])
 def test_an_audit_of_our_own_file_finds_none_either(tmp_path, machine, part, options):
-    asked = {
+    wanted = {
         "machine": machine,
         "tool_length": 120,
         "cutter": "ball:8:40",
@@ -254,12 +254,12 @@ def test_an_audit_of_our_own_file_finds_none_either(tmp_path, machine, part, opt
         "controller": options["controller"],
     }
     write_stl(PARTS[part](), tmp_path / "part.stl")
-    for made, clear in (
+    for outcome, clear in (
         (milled(machine, part, **options), True),
         (undivided(machine, part, **options), False),
     ):
-        (tmp_path / "own.nc").write_bytes(made.nc)
-        given = {**asked, "against": str(tmp_path / "part.stl")}
+        (tmp_path / "own.nc").write_bytes(outcome.nc)
+        given = {**wanted, "against": str(tmp_path / "part.stl")}
         found = {
             one.code for one in job.run(build_settings("audit", str(tmp_path / "own.nc"), given)).findings
         }

@@ -81,10 +81,13 @@ def test_the_curve_of_table_2_overshoots_its_chord():
 
 
 def test_a_spot_tells_the_numbers_of_table_2():
-    told = spot(examples.table2(), 1)
-    assert told.deviation == pytest.approx(2.12642, abs=1e-4) and told.bound >= told.deviation
-    assert told.turns[0] == ("C", pytest.approx(27.4208)) and told.turns[1] == ("A", pytest.approx(0.1129))
-    assert told.step == pytest.approx(1.122, abs=1e-3) and told.singular and told.line == 4
+    reported = spot(examples.table2(), 1)
+    assert reported.deviation == pytest.approx(2.12642, abs=1e-4) and reported.bound >= reported.deviation
+    assert reported.turns[0] == ("C", pytest.approx(27.4208)) and reported.turns[1] == (
+        "A",
+        pytest.approx(0.1129),
+    )
+    assert reported.step == pytest.approx(1.122, abs=1e-3) and reported.singular and reported.line == 4
 
 
 def test_every_finding_and_every_marker_has_a_row_in_the_list(dome):
@@ -131,8 +134,8 @@ def test_a_million_blocks_are_thinned_and_the_worst_stays():
     zero = np.zeros(count)
     segment = 0.01 * np.abs(np.sin(turn))
     segment[777_777] = 3.0
-    made = type(small.deviation)(zero, zero, segment, zero, segment, zero, np.zeros((count, 3)))
+    result = type(small.deviation)(zero, zero, segment, zero, segment, zero, np.zeros((count, 3)))
     near = type(small.singularity)(zero, zero, zero, zero.astype(bool))
-    figures = type(small)("long", "audit", small.machine, small.kinematics, program, made, near, 0.01)
+    figures = type(small)("long", "audit", small.machine, small.kinematics, program, result, near, 0.01)
     picture = draw(figures)
     assert len(picture.block) <= 600_000 and picture.deviation.max() == 3.0 and 777_777 in picture.block

@@ -73,7 +73,7 @@ def expected(parts, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def told(parts):
+def reported(parts):
     """told(study): what it tells without an executor."""
 
     @cache
@@ -102,20 +102,20 @@ def test_a_batch_makes_the_same_pages(engine, parts, expected, tmp_path):
 
 
 @some_in_core("name", STUDIES)
-def test_a_study_tells_the_same(name, engine, parts, told):
+def test_a_study_tells_the_same(name, engine, parts, reported):
     shares = []
     trial = try_study(
         name, str(parts / "a.stl"), engine.executor, lambda stage, fraction: shares.append((stage, fraction))
     )
-    assert texts_of(trial) == told(name)[1] and shares[-1][1] == 1.0
+    assert texts_of(trial) == reported(name)[1] and shares[-1][1] == 1.0
 
 
 @pytest.mark.oldest
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", STUDIES)
-def test_a_page_of_a_study_is_the_same(name, processes, parts, told):
+def test_a_page_of_a_study_is_the_same(name, processes, parts, reported):
     trial = try_study(name, str(parts / "a.stl"), processes)
-    assert study.as_html(trial) == study.as_html(told(name)[0])
+    assert study.as_html(trial) == study.as_html(reported(name)[0])
 
 
 @contextmanager
@@ -151,7 +151,7 @@ def test_the_jobs_of_a_killed_worker_run_again_and_none_twice(name, living, part
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KILLED)
-def test_a_job_that_no_worker_survives_is_told_and_harms_no_other_bytes(
+def test_a_job_that_no_worker_survives_is_reported_and_harms_no_other_bytes(
     name, living, request, parts, expected, tmp_path, monkeypatch
 ):
     if name == "dask":
@@ -172,8 +172,8 @@ KILLS = [(KILLED[0], name) for name in ("setup", "compare", "reach")] + [
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "of"), KILLS)
-def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(
-    name, of, living, parts, told, tmp_path
+def test_a_worker_killed_in_a_study_is_reported_or_its_task_is_done_again(
+    name, of, living, parts, reported, tmp_path
 ):
     """Pools of Python and loky break, which is one clear error and no result; a second run has all. Dask has
     another worker."""
@@ -188,14 +188,14 @@ def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(
             with pytest.raises(SettingsError, match="a process died"):
                 try_study(of, roof, killing)
         else:
-            assert texts_of(try_study(of, roof, killing, tell)) == told(of)[1]
+            assert texts_of(try_study(of, roof, killing, tell)) == reported(of)[1]
     assert mark.exists()
     if name != "dask":
-        assert texts_of(try_study(of, roof, Killing(living(name), str(mark)), tell)) == told(of)[1]
+        assert texts_of(try_study(of, roof, Killing(living(name), str(mark)), tell)) == reported(of)[1]
     assert shares[-1] == 1.0
 
 
-def made_by_command(parts, out, *words, before=()):
+def run_by_command(parts, out, *words, before=()):
     """The files that ``batch`` writes, in a process of its own."""
     command = [
         *before,
@@ -257,11 +257,11 @@ def test_the_command_on_mpi_makes_the_same_files(parts, by_command, tmp_path, mo
     for key, value in mpi_environment().items():
         monkeypatch.setenv(key, value)
     ranks = [shutil.which("mpiexec"), "-n", "3", sys.executable, "-m", "mpi4py.futures"]
-    assert made_by_command(parts, tmp_path / "out", "--executor", "mpi", before=ranks) == by_command
+    assert run_by_command(parts, tmp_path / "out", "--executor", "mpi", before=ranks) == by_command
 
 
 @pytest.mark.slow
 def test_the_command_on_a_scheduler_of_dask_makes_the_same_files(dask, parts, by_command, tmp_path):
     address = dask.cluster.scheduler_address.replace("tcp://", "dask://")
-    made = made_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable])
-    assert made == by_command
+    result = run_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable])
+    assert result == by_command

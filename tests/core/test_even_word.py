@@ -52,9 +52,9 @@ def test_the_rates_are_the_least_possible_but_for_their_steps_and_the_word_keeps
     best = least_peak(along, low, high)
     assert best - 1e-9 <= rates.max() <= best * even.RAISE * even.SPARE * 1.01
     leash = even.leash_of(along, rates)
-    made = even.even_out_word(leash, word, low, high)
-    assert (made >= low - 1e-8).all() and (made <= high + 1e-8).all()
-    assert (np.abs(np.diff(made)) <= np.diff(leash) + 1e-8).all()
+    result = even.even_out_word(leash, word, low, high)
+    assert (result >= low - 1e-8).all() and (result <= high + 1e-8).all()
+    assert (np.abs(np.diff(result)) <= np.diff(leash) + 1e-8).all()
 
 
 def test_a_rate_that_is_too_low_would_be_noticed():
@@ -83,8 +83,8 @@ def test_a_word_that_turns_no_faster_is_left_alone():
 def test_the_laziest_word_travels_least(seed):
     """Dynamic programming from the same start over all bounds, between which a word of least travel turns."""
     _, word, low, high = bounds(seed)
-    made = even.laziest(low, high, float(word[0]))
-    assert (made >= low).all() and (made <= high).all()
+    result = even.laziest(low, high, float(word[0]))
+    assert (result >= low).all() and (result <= high).all()
     grid = np.unique(np.concatenate([low, high, word[:1]]))
     cost = np.where(grid == word[0], 0.0, np.inf)
     for least, most in zip(low[1:], high[1:], strict=True):
@@ -92,11 +92,11 @@ def test_the_laziest_word_travels_least(seed):
             np.minimum.accumulate(cost - grid) + grid, np.minimum.accumulate((cost + grid)[::-1])[::-1] - grid
         )
         cost[(grid < least) | (grid > most)] = np.inf
-    assert np.abs(np.diff(made)).sum() == pytest.approx(cost.min(), abs=1e-9)
+    assert np.abs(np.diff(result)).sum() == pytest.approx(cost.min(), abs=1e-9)
     in_turn = [np.clip(word[0], low[0], high[0])]
     for least, most in zip(low[1:], high[1:], strict=True):
         in_turn.append(np.clip(in_turn[-1], least, most))
-    np.testing.assert_array_equal(made, in_turn)
+    np.testing.assert_array_equal(result, in_turn)
 
 
 def test_the_course_counts_what_is_cut():

@@ -78,31 +78,31 @@ def box(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def milled(box):
-    made = {}
+    result = {}
 
     def mill(cutter, **options):
         key = (cutter, *options.items())
-        if key not in made:
+        if key not in result:
             given = {"machine": "trunnion_ac", "cutter": cutter, "scallop": 0.02, **options}
-            made[key] = job.make(build_settings("mill", box, given))
-        return made[key]
+            result[key] = job.make(build_settings("mill", box, given))
+        return result[key]
 
     return mill
 
 
-def walk(made, share=12):
+def walk(result, share=12):
     """Tips and axes along the real way of every block that cuts, ``share`` poses a block."""
-    q, motion = words_to_q(made.program.words), made.program.motion
+    q, motion = words_to_q(result.program.words), result.program.motion
     cuts = np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
     u = np.linspace(0.0, 1.0, share)[None, :, None]
     pose = q[cuts][:, None] + u * (q[cuts + 1] - q[cuts])[:, None]
-    return forward(made.kinematics, pose.reshape(-1, 5))
+    return forward(result.kinematics, pose.reshape(-1, 5))
 
 
-def find_left(made, radius):
+def find_left(result, radius):
     """What (k,) mm stays over samples of all faces of the box but its bottom: over each the lowest of the
     discs of ``radius`` mm that are the level part of the cutter's bottom; below 0: the part is entered."""
-    tip, axis = walk(made)
+    tip, axis = walk(result)
     left = []
     for normal in np.array(SIDES, float):
         middle = 0.5 * SIZE * normal + (0.0, 0.0, 6.0)
@@ -123,19 +123,19 @@ def find_left(made, radius):
 ])  # fmt: skip
 def test_on_a_box_plane_faces_are_finished_up_to_their_edges(cutter, radius, rise, milled):
     """By dense samples of the real way; of a corner that part counts that rises by ``rise`` mm."""
-    made = milled(cutter)
-    assert made.settings.tool_axis.tool_axis == "face_normal"
-    left = find_left(made, radius)
-    allowed = compute_allowed_rest(made.settings, made.mesh, made.keep)
+    result = milled(cutter)
+    assert result.settings.tool_axis.tool_axis == "face_normal"
+    left = find_left(result, radius)
+    allowed = compute_allowed_rest(result.settings, result.mesh, result.keep)
     assert np.mean(left + rise > allowed) < 1e-3
-    assert left.min() > -made.settings.proof.tolerance
-    assert not [one for one in made.findings if one.code in ("overcut", "lifted")]
+    assert left.min() > -result.settings.proof.tolerance
+    assert not [one for one in result.findings if one.code in ("overcut", "lifted")]
 
 
 def test_the_mean_of_the_normals_would_leave_much_of_them(milled):
-    made = milled("flat:6", tool_axis="facet_mean")
-    left = find_left(made, 3.0)
-    assert np.mean(left > compute_allowed_rest(made.settings, made.mesh, made.keep)) > 0.2
+    result = milled("flat:6", tool_axis="facet_mean")
+    left = find_left(result, 3.0)
+    assert np.mean(left > compute_allowed_rest(result.settings, result.mesh, result.keep)) > 0.2
 
 
 @pytest.mark.slow
@@ -143,8 +143,8 @@ def test_the_mean_of_the_normals_would_leave_much_of_them(milled):
 def test_on_a_blade_hardly_anything_stays(cutter, parts):
     """Facets between two passes that the bottom sweeps do not count as left out."""
     given = {"machine": "trunnion_ac", "cutter": cutter, "scallop": 0.02}
-    made = job.make(build_settings("mill", str(parts / "blade.stl"), given))
-    found = {one.code: one for one in made.findings}
+    result = job.make(build_settings("mill", str(parts / "blade.stl"), given))
+    found = {one.code: one for one in result.findings}
     assert "side-not-machined" not in found
     assert "overcut" not in found
-    assert found["uncut"].value < 2e-3 * float(made.mesh.area[made.keep].sum())
+    assert found["uncut"].value < 2e-3 * float(result.mesh.area[result.keep].sum())

@@ -20,19 +20,19 @@ from freecad_fiveaxis.core.pipeline import job
 def floor(y0, y1, n=3, x0=-20.0, x1=20.0, z=0.0):
     """A level face in n x n squares, looking up."""
     x, y = np.linspace(x0, x1, n + 1), np.linspace(y0, y1, n + 1)
-    made = []
+    outcome = []
     for a, b in itertools.pairwise(x):
         for c, d in itertools.pairwise(y):
-            made += [[(a, c, z), (b, c, z), (b, d, z)], [(a, c, z), (b, d, z), (a, d, z)]]
-    return from_triangles(np.array(made))
+            outcome += [[(a, c, z), (b, c, z), (b, d, z)], [(a, c, z), (b, d, z), (a, d, z)]]
+    return from_triangles(np.array(outcome))
 
 
 def test_a_face_in_other_facets_chooses_the_facets_that_lie_on_it_and_no_others():
     mesh = step()
-    chosen, (said,) = facets_on(mesh, floor(-30, 0), 0.01)
+    chosen, (message,) = facets_on(mesh, floor(-30, 0), 0.01)
     flat = (np.abs(mesh.vertex[mesh.face][..., 2]).max(axis=1) == 0.0) & (mesh.normal[:, 2] > 0.9)
     assert (chosen == flat).all() and chosen.any()
-    assert said.code == "faces-chosen" and said.value == pytest.approx(mesh.area[flat].sum())
+    assert message.code == "faces-chosen" and message.value == pytest.approx(mesh.area[flat].sum())
 
 
 def test_a_face_that_covers_half_a_facet_does_not_choose_it_and_says_so():
@@ -40,11 +40,11 @@ def test_a_face_that_covers_half_a_facet_does_not_choose_it_and_says_so():
     both = from_triangles(
         np.concatenate([part.vertex[part.face] for part in (floor(-30, 0), floor(0, 15, z=6.0))])
     )
-    chosen, said = facets_on(mesh, both, 0.01)
+    chosen, message = facets_on(mesh, both, 0.01)
     assert (mesh.vertex[mesh.face[chosen]][..., 2] == 0.0).all()
-    assert [one.code for one in said] == ["faces-chosen", "faces-missed"] and said[1].value == pytest.approx(
-        15 * 40
-    )
+    assert [one.code for one in message] == ["faces-chosen", "faces-missed"] and message[
+        1
+    ].value == pytest.approx(15 * 40)
 
 
 @pytest.mark.parametrize("steps", [16, 40, 200])
@@ -102,13 +102,13 @@ def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clea
     options |= {"tool_axis": "fixed", "linearize": "on"}
     settings = build_settings("mill", str(files / "part.stl"), {**options, "faces": str(files / "floor.stl")})
     result = job.run(settings)
-    made = result.draft
-    assert set(made.offset.face) <= set(np.flatnonzero(made.keep)) and result.rest is not None
-    assert set(result.rest.facet) == set(np.flatnonzero(made.keep)) and made.keep.sum() == 2
+    outcome = result.draft
+    assert set(outcome.offset.face) <= set(np.flatnonzero(outcome.keep)) and result.rest is not None
+    assert set(result.rest.facet) == set(np.flatnonzero(outcome.keep)) and outcome.keep.sum() == 2
     codes = {one.code for one in result.findings}
     assert {"faces-chosen", "left-out"} <= codes and not codes & {"overcut", "rapid-collision"}
     assert (
-        made.path.tip[made.path.motion == 0][:, 1].max() < -4.0 + 0.1
+        outcome.path.tip[outcome.path.motion == 0][:, 1].max() < -4.0 + 0.1
     )  # the wall stands at y = 0, the ball has radius 4
 
 
@@ -129,8 +129,8 @@ def test_faces_to_be_avoided_are_not_machined_and_the_others_are(files):
     assert (
         len(lost) == 2 and (some.mesh.vertex[some.mesh.face[lost]][..., 2] == 0.0).all() and some.keep.any()
     )
-    told = next(one for one in some.findings if one.code == "faces-avoided")
-    assert told.value == pytest.approx(some.mesh.area[lost].sum()) and "are not machined" in told.text
+    reported = next(one for one in some.findings if one.code == "faces-avoided")
+    assert reported.value == pytest.approx(some.mesh.area[lost].sum()) and "are not machined" in reported.text
     with pytest.raises(
         SettingsError, match=r"all that is to be machined lies on floor\.stl; leave out --avoid"
     ):

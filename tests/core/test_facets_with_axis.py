@@ -58,21 +58,21 @@ def served(mesh, reacher, most=RIGHT):
     return select_facets(find_axis_field(mesh, facets, reacher), mesh, facets, most)
 
 
-def feed_places(made):
+def feed_places(outcome):
     """Tips and axes (k, 3) on the real way of all feed blocks, in the work frame, 20 for each."""
-    words = made.program.words
-    row = np.flatnonzero(made.program.motion[1:] != Motion.RAPID)
+    words = outcome.program.words
+    row = np.flatnonzero(outcome.program.motion[1:] != Motion.RAPID)
     share = np.linspace(0.0, 1.0, 20)[:, None, None]
     return forward(
-        made.kinematics,
+        outcome.kinematics,
         words_to_q((words[row] + share * (words[row + 1] - words[row])).reshape(-1, words.shape[1])),
     )
 
 
-def finished(made, points):
+def finished(outcome, points):
     """Which points of the surface the ball comes to within 0.2 mm (a stepover of 1.5 leaves 0.1 on a
     flat)."""
-    tip, axis = feed_places(made)
+    tip, axis = feed_places(outcome)
     return cKDTree(tip + 3.0 * axis).query(points)[0] <= 3.0 + 0.2
 
 
@@ -81,19 +81,19 @@ def finished(made, points):
 def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below(nodes):
     """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at
     most."""
-    made = sphere_milled(nodes)
-    middle = made.mesh.vertex[made.mesh.face].mean(axis=1)
-    under = (made.mesh.normal[:, 2] < -0.2) & (made.mesh.normal[:, 2] > -0.8) & (middle[:, 2] > 15.0)
-    tip, axis = feed_places(made)
-    assert under.sum() > 100 and finished(made, middle[under]).all()
+    outcome = sphere_milled(nodes)
+    middle = outcome.mesh.vertex[outcome.mesh.face].mean(axis=1)
+    under = (outcome.mesh.normal[:, 2] < -0.2) & (outcome.mesh.normal[:, 2] > -0.8) & (middle[:, 2] > 15.0)
+    tip, axis = feed_places(outcome)
+    assert under.sum() > 100 and finished(outcome, middle[under]).all()
     assert axis[:, 2].min() > -1e-3, "an axis beyond the largest angle"
     assert (tip[:, 2] + 3.0 * axis[:, 2]).min() > 0.0
     by_normals = milled(stemmed(), tool_axis="facet_mean")
-    assert not finished(by_normals, middle[under & (made.mesh.normal[:, 2] < -0.4)]).all()
+    assert not finished(by_normals, middle[under & (outcome.mesh.normal[:, 2] < -0.4)]).all()
 
 
 @some_in_core("nodes", [FEW, NODES])
-def test_nothing_enters_and_nothing_is_told_that_is_not_so(nodes):
+def test_nothing_enters_and_nothing_is_reported_that_is_not_so(nodes):
     result = job.prove(sphere_milled(nodes))
     codes = {one.code for one in result.findings}
     assert not codes & {
@@ -148,13 +148,13 @@ def test_each_reason_is_named_with_its_area(width, tool, words):
 def test_contacts_without_a_free_axis_are_left_out_and_the_pass_goes_on_behind_them(monkeypatch):
     """The holder gets to the ends of the slot's floor, by leaning out of them, and not to its middle."""
     take_nodes(monkeypatch, FEW)
-    made = milled(slot(14.0, 40.0, 100.0), cutter="ball:6:12", holder="24x60", passes="planes")
-    (held,) = [one for one in made.findings if one.code == "no-free-axis"]
+    outcome = milled(slot(14.0, 40.0, 100.0), cutter="ball:6:12", holder="24x60", passes="planes")
+    (held,) = [one for one in outcome.findings if one.code == "no-free-axis"]
     assert held.value > 0 and "left out" in held.text
-    at_floor = (np.abs(made.offset.point[:, 2] - 10.0) < 1e-6) & (np.abs(made.offset.point[:, 0]) < 4.0)
-    along = made.offset.point[at_floor, 1]
+    at_floor = (np.abs(outcome.offset.point[:, 2] - 10.0) < 1e-6) & (np.abs(outcome.offset.point[:, 0]) < 4.0)
+    along = outcome.offset.point[at_floor, 1]
     assert len(along) and not ((along > 40.0) & (along < 60.0)).any()
-    assert "overcut" not in {one.code for one in job.prove(made).findings}
+    assert "overcut" not in {one.code for one in job.prove(outcome).findings}
 
 
 @pytest.mark.usefixtures("some_nodes")

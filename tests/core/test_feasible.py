@@ -60,9 +60,9 @@ def least_distance_to_the_steps(centre):
     return distance
 
 
-def centres_along_feed(made):
+def centres_along_feed(result):
     """Ball centres on the commanded chords of all feed moves, 9 a move (3 axes: the tool stands upright)."""
-    path = made.path
+    path = result.path
     centre = path.tip + 5.0 * path.axis
     end = np.flatnonzero(path.motion[1:] != Motion.RAPID) + 1
     u = np.linspace(0, 1, 9)[:, None, None]
@@ -73,10 +73,10 @@ def centres_along_feed(made):
     "options", [{"max_axis_angle": "60"}, {"max_axis_angle": "60", "tool_axis": "fixed", "lead": "5"}]
 )
 def test_the_ball_stops_short_of_a_wall_that_is_left_out(stairs, options):
-    made = milled(stairs, **options)
-    cut = made.path.motion <= Motion.FILL
-    assert set(np.round(made.path.contact[cut, 2], 6)) == set(STEPS)
-    assert least_distance_to_the_steps(centres_along_feed(made)).min() > 5.0 - 1e-6
+    result = milled(stairs, **options)
+    cut = result.path.motion <= Motion.FILL
+    assert set(np.round(result.path.contact[cut, 2], 6)) == set(STEPS)
+    assert least_distance_to_the_steps(centres_along_feed(result)).min() > 5.0 - 1e-6
 
 
 @pytest.mark.parametrize("order", ["zigzag", "one_way"])
@@ -84,12 +84,12 @@ def test_the_ball_stops_short_of_a_wall_that_is_left_out(stairs, options):
 def test_a_tread_is_cut_up_to_its_wall_whichever_way_the_pass_goes(stairs, direction, order):
     """Up to where the ball touches the wall that is left out, on every tread of every pass: 5 mm before
     it."""
-    made = milled(stairs, max_axis_angle="60", direction=direction, order=order)
-    cut = made.path.pass_ >= 0
-    for pass_ in np.unique(made.path.pass_[cut]):
+    result = milled(stairs, max_axis_angle="60", direction=direction, order=order)
+    cut = result.path.pass_ >= 0
+    for pass_ in np.unique(result.path.pass_[cut]):
         for tread, wall in ((STEPS[1], 20.0), (STEPS[2], 40.0)):
-            reach = made.path.contact[
-                cut & (made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - tread) < 1e-6), 0
+            reach = result.path.contact[
+                cut & (result.path.pass_ == pass_) & (np.abs(result.path.contact[:, 2] - tread) < 1e-6), 0
             ]
             assert reach.min() == pytest.approx(wall + 5.0, abs=1e-6) and reach.max() == pytest.approx(
                 wall + 20.0, abs=1e-6
@@ -99,43 +99,43 @@ def test_a_tread_is_cut_up_to_its_wall_whichever_way_the_pass_goes(stairs, direc
 def test_a_tool_that_leans_towards_the_wall_stops_before_it_and_says_so(stairs):
     """Cut towards the wall with a lead, it would retract through the wall; cut away from it, it leans
     away."""
-    made = milled(stairs, max_axis_angle="60", tool_axis="fixed", lead="5")
-    said = {finding.code: finding for finding in made.findings}["axis-into-part"]
-    assert said.value > 10.0
+    result = milled(stairs, max_axis_angle="60", tool_axis="fixed", lead="5")
+    message = {finding.code: finding for finding in result.findings}["axis-into-part"]
+    assert message.value > 10.0
     for pass_, back in ((0, False), (1, True)):
-        row = made.path.contact[
-            (made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - STEPS[1]) < 1e-6), 0
+        row = result.path.contact[
+            (result.path.pass_ == pass_) & (np.abs(result.path.contact[:, 2] - STEPS[1]) < 1e-6), 0
         ]
         assert (row.min() > 30.0) == back
 
 
 def test_without_the_wall_the_ball_would_run_into_it(stairs):
     """The same treads, cut as if nothing stood beside them: the comparison above can fail."""
-    made = milled(stairs, max_axis_angle="60")
-    treads = made.path.contact[made.path.motion <= Motion.FILL]
+    result = milled(stairs, max_axis_angle="60")
+    treads = result.path.contact[result.path.motion <= Motion.FILL]
     into_the_wall = np.array([[20.0 + 1e-3, 0.0, STEPS[1] + 5.0]])
     assert treads[:, 0].max() > 55.0
     assert least_distance_to_the_steps(into_the_wall)[0] < 1.0
 
 
 def test_contacts_that_the_tool_would_lean_into_are_left_out_with_their_length(stairs):
-    made = milled(stairs, tool_axis="fixed", axis="0.3,0,1", stepover=5.0)
-    said = {finding.code: finding for finding in made.findings}
-    assert said["axis-into-part"].value > 10.0
-    cut = made.path.motion <= Motion.FILL
-    assert ((made.path.normal * made.path.axis).sum(axis=1)[cut] > -1e-6).all()
+    result = milled(stairs, tool_axis="fixed", axis="0.3,0,1", stepover=5.0)
+    message = {finding.code: finding for finding in result.findings}
+    assert message["axis-into-part"].value > 10.0
+    cut = result.path.motion <= Motion.FILL
+    assert ((result.path.normal * result.path.axis).sum(axis=1)[cut] > -1e-6).all()
 
 
 def test_lead_beyond_the_rotary_limits_leaves_out_and_does_not_refuse(stairs):
-    made = milled(stairs, machine="linuxcnc_xyzac_trt", lead="-20", tilt="20")
-    assert "axis-beyond-limits" in {finding.code for finding in made.findings}
-    words = np.radians(made.program.words[:, 3:])
-    assert (words >= made.kinematics.low[3:] - 1e-6).all() and (
-        words <= made.kinematics.high[3:] + 1e-6
+    result = milled(stairs, machine="linuxcnc_xyzac_trt", lead="-20", tilt="20")
+    assert "axis-beyond-limits" in {finding.code for finding in result.findings}
+    words = np.radians(result.program.words[:, 3:])
+    assert (words >= result.kinematics.low[3:] - 1e-6).all() and (
+        words <= result.kinematics.high[3:] + 1e-6
     ).all()
 
 
 @pytest.mark.thorough
 def test_where_nothing_is_left_out_no_row_is_lost(stairs):
-    made = milled(stairs)
-    assert not {"axis-into-part", "axis-beyond-limits"} & {finding.code for finding in made.findings}
+    result = milled(stairs)
+    assert not {"axis-into-part", "axis-beyond-limits"} & {finding.code for finding in result.findings}

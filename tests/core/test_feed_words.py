@@ -12,8 +12,8 @@ HEAD = "G21 G90 G17\nM3 S800\nG0 X0 Y0 Z10 A0 C0\n"
 def found_in(tmp_path, controller, text):
     nc = tmp_path / "part.nc"
     nc.write_text(HEAD + text + "M30\n")
-    made = job.make(build_settings("audit", str(nc), {"machine": "trunnion_ac", "controller": controller}))
-    return [one for one in made.findings if one.code == "feed-word-too-large"]
+    draft = job.make(build_settings("audit", str(nc), {"machine": "trunnion_ac", "controller": controller}))
+    return [one for one in draft.findings if one.code == "feed-word-too-large"]
 
 
 @pytest.mark.parametrize(("controller", "count"), [("fanuc", 2), ("haas", 1), ("linuxcnc", 0)])

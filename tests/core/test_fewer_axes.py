@@ -197,9 +197,9 @@ def test_what_is_posted_is_read_again_by_every_controller(files, name, path, con
         (files / "aside.apt").write_text(
             LEANING_APT.replace("0,0.5,0.866025404", "0.5,0,0.866025404").replace("0,0.6,0.8", "0.6,0,0.8")
         )
-    made = posted(files, name, path, controller=controller, linearize="on").draft
-    read = read_nc(made.nc, made.kinematics, made.dialect)
-    np.testing.assert_allclose(read.words, made.program.words, atol=1e-9)
+    outcome = posted(files, name, path, controller=controller, linearize="on").draft
+    read = read_nc(outcome.nc, outcome.kinematics, outcome.dialect)
+    np.testing.assert_allclose(read.words, outcome.program.words, atol=1e-9)
     assert not [finding for finding in read.findings if finding.code in ("unknown-axis", "position-unknown")]
 
 
@@ -236,7 +236,7 @@ def test_tool_axes_printed_with_four_decimals_are_within_reach(files):
     assert not posted(files, "table_a", "leaning").draft.program.words[:, 4].any()
 
 
-def test_a_word_of_an_axis_that_is_not_there_is_told(files):
+def test_a_word_of_an_axis_that_is_not_there_is_reported(files):
     kinematics = chain(three(), Setup())
     found = read_nc(b"G21 G90\nG0 X0 Y0 Z10 A0\nG1 X5 A3 F100\nM2\n", kinematics).findings
     assert [finding.code for finding in found if finding.severity.name == "ERROR"] == ["unknown-axis"]
@@ -244,9 +244,9 @@ def test_a_word_of_an_axis_that_is_not_there_is_told(files):
 
 @some_in_core(("name", "path"), [("three", "level"), ("table_a", "leaning")])
 def test_audit_and_every_output_name_the_real_axes_alone(files, name, path):
-    made = posted(files, name, path, linearize="on").draft
+    outcome = posted(files, name, path, linearize="on").draft
     nc = files / "out.ngc"
-    nc.write_bytes(made.nc)
+    nc.write_bytes(outcome.nc)
     reports = [str(files / ("report" + kind)) for kind in (".html", ".json", ".txt")]
     options = {
         "machine": str(files / f"{name}.fcm"),
@@ -284,7 +284,7 @@ def test_the_dome_is_milled_with_the_tool_along_z(parts, files):
 
 
 @pytest.mark.parametrize(
-    ("options", "told"),
+    ("options", "reported"),
     [
         ({}, "cannot lean the tool as facet_mean asks: choose --tool-axis fixed"),
         ({"tool_axis": "fixed", "lead": 0.1}, "leave --lead out"),
@@ -293,8 +293,8 @@ def test_the_dome_is_milled_with_the_tool_along_z(parts, files):
         ({"tool_axis": "fixed", "singularity": "deform"}, "has none; leave it out"),
     ],
 )
-def test_what_needs_a_leaning_tool_is_refused_with_the_remedy(parts, files, options, told):
-    with pytest.raises(SettingsError, match=told):
+def test_what_needs_a_leaning_tool_is_refused_with_the_remedy(parts, files, options, reported):
+    with pytest.raises(SettingsError, match=reported):
         job.run(
             build_settings("mill", str(parts / "dome.stl"), {"machine": str(files / "three.fcm"), **options})
         )
@@ -323,9 +323,9 @@ def test_a_tool_axis_that_is_not_named_is_one_that_the_machine_can_follow(name, 
 
 def test_by_default_the_dome_is_milled_by_three_axes(parts, files):
     given = {"machine": str(files / "three.fcm"), "stepover": 5, "spindle": 9000}
-    made = job.make(settings.build_settings("mill", str(parts / "dome.stl"), given))
-    assert (made.path.axis == (0.0, 0.0, 1.0)).all()
-    assert made.settings.tool_axis.tool_axis == "fixed" and made.settings.passes.passes == "scallop"
+    outcome = job.make(settings.build_settings("mill", str(parts / "dome.stl"), given))
+    assert (outcome.path.axis == (0.0, 0.0, 1.0)).all()
+    assert outcome.settings.tool_axis.tool_axis == "fixed" and outcome.settings.passes.passes == "scallop"
 
 
 def test_the_studies_that_make_no_sense_are_refused(files):
@@ -339,15 +339,15 @@ def test_the_studies_that_make_no_sense_are_refused(files):
 @pytest.mark.rs274
 @pytest.mark.skipif(shutil.which("rs274") is None, reason="needs LinuxCNC")
 def test_linuxcnc_reads_the_four_axes_as_they_are_written(files):
-    made = posted(files, "table_a", "leaning", linearize="on").draft
+    outcome = posted(files, "table_a", "leaning", linearize="on").draft
     nc = files / "out.ngc"
-    nc.write_bytes(made.nc)
-    told = subprocess.run(
+    nc.write_bytes(outcome.nc)
+    reported = subprocess.run(
         ["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=60, check=True
     ).stdout
-    moves = [line for line in told.splitlines() if "STRAIGHT_FEED" in line]
+    moves = [line for line in reported.splitlines() if "STRAIGHT_FEED" in line]
     last = [float(word) for word in moves[-1].split("(")[1].rstrip(")").split(",")]
-    feeds = made.program.words[made.program.motion != 3]
+    feeds = outcome.program.words[outcome.program.motion != 3]
     np.testing.assert_allclose(last[:4], feeds[-1][:4], atol=1e-4)
 
 

@@ -76,10 +76,10 @@ def test_a_name_of_any_other_bytes_is_written_and_read(tmp_path, name):
 
 
 def test_what_is_no_file_to_read_is_named_for_what_it_is(tmp_path):
-    for path, said in (
+    for path, message in (
         (tmp_path, "is a folder"),
         (tmp_path / "gone", "does not exist"),
         (os.devnull, "no ordinary file"),
     ):
-        with pytest.raises(FileError, match=said):
+        with pytest.raises(FileError, match=message):
             check_readable(path)

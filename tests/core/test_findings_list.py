@@ -75,7 +75,7 @@ def test_a_code_is_a_word_that_stays_one_wherever_it_goes(code):
     )
 
 
-def test_meanings_are_told_apart():
+def test_meanings_are_distinguished():
     assert len({one.meaning for one in Code}) == len(Code)
 
 

@@ -127,10 +127,10 @@ def test_a_job_file_has_places_relative_to_it_and_its_report_is_a_job_file_again
     assert f"{files}/own.stl" in files_read(settings)
     result = job.run(settings)
     figures = job.figures(result)
-    told = " ".join(
+    reported = " ".join(
         map(str, (*scope(figures, summary(figures)).proven, *(one.text for one in result.findings)))
     )
-    assert "own.stl@10,-8,0" in told
+    assert "own.stl@10,-8,0" in reported
     (files / "again.json").write_text(json.dumps(figures.inputs))
     again = job.run(read_job(str(files / "again.json")))
     assert again.findings == result.findings and again.draft.nc == result.draft.nc
@@ -147,8 +147,8 @@ def test_post_audit_and_setup_take_places_and_reports_name_them(files, capsys):
         report = [one for end in ends for one in ("--report", str(files / f"r.{end}"))]
         fixture = ["--fixture", f"{files / 'own.stl'}@{place}"]
         assert main([task, str(source), *FLAGS, *fixture, *written, *report]) == code
-        told = *((files / f"r.{end}").read_text() for end in ends), capsys.readouterr().out
-        assert all(f"own.stl@{place}" in one for one in told)
+        reported = *((files / f"r.{end}").read_text() for end in ends), capsys.readouterr().out
+        assert all(f"own.stl@{place}" in one for one in reported)
     grid = ["--grid", "1,1,1", "--turns", "1", "--gouge", "off", "--fixture", f"{files / 'own.stl'}@10,-8,0"]
     assert main(["setup", str(files / "plate.stl"), *FLAGS, *PASSES[:-2], *grid]) in (0, 1)
     assert "own.stl@10,-8,0" in capsys.readouterr().out

@@ -46,12 +46,12 @@ def hits(result):
     return [one for one in result.findings if one.code == "fixture-collision"]
 
 
-def sampled_depth(made, low, high, many=200):
+def sampled_depth(outcome, low, high, many=200):
     """By dense samples of the real way, mm: how deep the ball of 6 is in the box, whose faces it meets from
     outside."""
-    q, u = words_to_q(made.program.words), np.linspace(0.0, 1.0, many)[:, None, None]
+    q, u = words_to_q(outcome.program.words), np.linspace(0.0, 1.0, many)[:, None, None]
     q = (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5)
-    tip, axis = forward(made.kinematics, q)
+    tip, axis = forward(outcome.kinematics, q)
     centre = tip + 3.0 * axis
     out = np.maximum(np.maximum(low - centre, centre - high), 0.0)
     return float((3.0 - np.linalg.norm(out, axis=1)).max())
@@ -69,18 +69,18 @@ def test_a_clamp_in_the_way_is_hit_as_deep_as_dense_samples_say(files):
 
 
 def test_moved_away_by_as_much_it_is_free_and_a_tenth_nearer_it_is_not(files):
-    made = proved(files, gouge="report").draft
+    outcome = proved(files, gouge="report").draft
     (depth,) = [one.value for one in hits(proved(files, "clamp.stl", gouge="report"))]
 
     def found(away):
         fixture = Fixture("clamp", clamp(np.subtract(LOW, (0, away, 0)), np.subtract(HIGH, (0, away, 0))))
         return check_fixtures(
             (fixture,),
-            tool_body(made.settings),
-            made.kinematics,
-            made.program,
+            tool_body(outcome.settings),
+            outcome.kinematics,
+            outcome.program,
             0.01,
-            tip_to_driven(made.settings),
+            tip_to_driven(outcome.settings),
         )
 
     assert not found(depth + 0.01)
@@ -102,28 +102,30 @@ def test_a_path_goes_around_the_fixture_and_still_cuts_what_is_free(files, axes)
 
 
 def hits_of(result, files):
-    made = result.draft
+    outcome = result.draft
     fixture = Fixture("clamp", clamp())
     return check_fixtures(
         (fixture,),
-        tool_body(made.settings),
-        made.kinematics,
-        made.program,
+        tool_body(outcome.settings),
+        outcome.kinematics,
+        outcome.program,
         0.01,
-        tip_to_driven(made.settings),
+        tip_to_driven(outcome.settings),
     )
 
 
-def test_what_is_proven_of_fixtures_is_said_and_only_then(files):
-    def said(result):
+def test_what_is_proven_of_fixtures_is_stated_and_only_then(files):
+    def read_message(result):
         sheets = job.figures(result)
-        told = scope(sheets, summary(sheets))
-        return " | ".join(map(str, told.proven)), " | ".join(map(str, told.unknown))
+        reported = scope(sheets, summary(sheets))
+        return " | ".join(map(str, reported.proven)), " | ".join(map(str, reported.unknown))
 
     free, hit, none = proved(files, "far.stl"), proved(files, "clamp.stl", gouge="report"), proved(files)
-    assert "out of the fixtures: far.stl" in said(free)[0] and "other fixtures" in said(free)[1]
-    assert "fixtures" not in said(hit)[0] and "out of the part" in said(hit)[0]
-    assert "fixtures" not in said(none)[0] and "other fixtures" not in said(none)[1]
+    assert (
+        "out of the fixtures: far.stl" in read_message(free)[0] and "other fixtures" in read_message(free)[1]
+    )
+    assert "fixtures" not in read_message(hit)[0] and "out of the part" in read_message(hit)[0]
+    assert "fixtures" not in read_message(none)[0] and "other fixtures" not in read_message(none)[1]
 
 
 def test_a_holder_that_hits_is_named_where_the_cutter_is_free(files):
@@ -133,11 +135,11 @@ def test_a_holder_that_hits_is_named_where_the_cutter_is_free(files):
 
 
 def test_a_cutter_wholly_inside_a_fixture_touches_no_facet_and_is_found(files):
-    made = proved(files, gouge="report").draft
+    outcome = proved(files, gouge="report").draft
     whole = Fixture("stock", clamp((-500, -500, -500), (500, 500, 500)))
-    (one,) = check_fixtures((whole,), tool_body(made.settings), made.kinematics, made.program, 0.01)
+    (one,) = check_fixtures((whole,), tool_body(outcome.settings), outcome.kinematics, outcome.program, 0.01)
     assert "whole cutter is inside the fixture stock" in str(one.text)
-    assert one.value == len(made.program.words) - 1
+    assert one.value == len(outcome.program.words) - 1
 
 
 def test_part_and_fixtures_are_joined_without_being_welded():
@@ -157,15 +159,15 @@ def test_part_and_fixtures_are_joined_without_being_welded():
 
 def test_audit_and_post_look_at_fixtures_too(files, capsys):
     nc, cl = files / "plate.ngc", files / "plate.apt"
-    made = ["--machine", "trunnion_ac", "--tool-length", "120", "--cutter", "ball:6"]
+    outcome = ["--machine", "trunnion_ac", "--tool-length", "120", "--cutter", "ball:6"]
     path = ["--stepover", "2", "--passes", "planes", "--max-axis-angle", "30", "--spindle", "9000"]
-    assert main(["mill", str(files / "plate.stl"), *made, *path, "-o", str(nc), "--cl", str(cl)]) == 0
+    assert main(["mill", str(files / "plate.stl"), *outcome, *path, "-o", str(nc), "--cl", str(cl)]) == 0
     capsys.readouterr()
     for task, source in (("audit", nc), ("post", cl)):
         written = ["-o", str(files / "again.ngc")] if task == "post" else []
-        assert main([task, str(source), *made, "--fixture", str(files / "far.stl"), *written]) == 0
+        assert main([task, str(source), *outcome, "--fixture", str(files / "far.stl"), *written]) == 0
         assert "hits a fixture" not in capsys.readouterr().out
-        assert main([task, str(source), *made, "--fixture", str(files / "clamp.stl"), *written]) == 1
+        assert main([task, str(source), *outcome, "--fixture", str(files / "clamp.stl"), *written]) == 1
         assert "the tool hits a fixture at 1 place" in capsys.readouterr().out
 
 
@@ -192,9 +194,9 @@ def test_an_audit_looks_at_the_holder_beside_fixtures_without_a_part(files, caps
     assert "--fixture" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("name", "said"), [("none.stl", "none.stl"), ("plate.txt", "plate.txt")])
+@pytest.mark.parametrize(("name", "read_message"), [("none.stl", "none.stl"), ("plate.txt", "plate.txt")])
 def test_a_file_that_is_no_fixture_is_one_line_with_exit_code_2_and_nothing_is_written(
-    files, capsys, name, said
+    files, capsys, name, read_message
 ):
     (files / "plate.txt").write_text("a vise\n")
     out = files / "never.ngc"
@@ -210,15 +212,15 @@ def test_a_file_that_is_no_fixture_is_one_line_with_exit_code_2_and_nothing_is_w
     ]
     assert main([*given, "-o", str(out)]) == 2
     lines = capsys.readouterr().err.strip().splitlines()
-    assert len(lines) == 1 and said in lines[0] and not out.exists()
+    assert len(lines) == 1 and read_message in lines[0] and not out.exists()
 
 
-def nearest(made, low, high):
+def nearest(outcome, low, high):
     """By dense samples, mm: how near the ball of 6 comes to the box; 0 in it."""
-    return max(-sampled_depth(made, np.array(low), np.array(high)), 0.0)
+    return max(-sampled_depth(outcome, np.array(low), np.array(high)), 0.0)
 
 
-def test_what_comes_nearer_than_the_clearance_is_told_as_near_as_dense_samples_say(files):
+def test_what_comes_nearer_than_the_clearance_is_reported_as_near_as_dense_samples_say(files):
     low, high = np.subtract(LOW, (0, 4, 0)), np.subtract(HIGH, (0, 4, 0))
     write_stl(clamp(low, high), files / "aside.stl")
     result = proved(files, "aside.stl", gouge="report", fixture_clearance=5.0)
@@ -234,19 +236,19 @@ def test_what_comes_nearer_than_the_clearance_is_told_as_near_as_dense_samples_s
     assert low[1] <= one.place[1] <= high[1] + 1e-9
 
 
-def test_what_keeps_the_clearance_is_told_in_the_scope(files):
+def test_what_keeps_the_clearance_is_reported_in_the_scope(files):
     low, high = np.subtract(LOW, (0, 4, 0)), np.subtract(HIGH, (0, 4, 0))
     write_stl(clamp(low, high), files / "aside.stl")
     for clearance, kept in ((2.97, True), (3.03, False)):
         result = proved(files, "aside.stl", gouge="report", fixture_clearance=clearance)
         figures = job.figures(result)
-        told = " ".join(map(str, scope(figures, summary(figures)).proven))
-        assert ("away from fixtures" in told) == kept, clearance
+        reported = " ".join(map(str, scope(figures, summary(figures)).proven))
+        assert ("away from fixtures" in reported) == kept, clearance
         assert [one.code for one in result.findings if one.code == "fixture-near"] == (
             [] if kept else ["fixture-near"]
         )
 
 
-def test_a_collision_is_told_once_and_no_clearance_with_it(files):
+def test_a_collision_is_reported_once_and_no_clearance_with_it(files):
     result = proved(files, "clamp.stl", gouge="report", fixture_clearance=5.0)
     assert len(hits(result)) == 1 and not [one for one in result.findings if one.code == "fixture-near"]

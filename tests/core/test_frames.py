@@ -53,8 +53,8 @@ def block() -> Mesh:
 def hexagon() -> Mesh:
     """A prism of six sides, standing upright: that of a profile along x, turned up."""
     turn = math.pi / 3 * np.arange(6)
-    made = prism(14.0 * np.column_stack([np.cos(turn), np.sin(turn)]), 20.0)
-    return from_faces(np.asarray(made.vertex)[:, [1, 2, 0]] + (0.0, 0.0, 10.0), made.face)
+    make_result = prism(14.0 * np.column_stack([np.cos(turn), np.sin(turn)]), 20.0)
+    return from_faces(np.asarray(make_result.vertex)[:, [1, 2, 0]] + (0.0, 0.0, 10.0), make_result.face)
 
 
 def knob() -> Mesh:
@@ -89,7 +89,7 @@ def slot() -> Mesh:
 PARTS = {"block": block, "hexagon": hexagon, "knob": knob, "slot": slot}
 
 
-def made(mesh, **given):
+def make_result(mesh, **given):
     options = {
         "machine": "trunnion_ac",
         "cutter": "ball:6",
@@ -102,15 +102,15 @@ def made(mesh, **given):
 
 
 def milled(mesh, **given):
-    return job.prove(made(mesh, **given))
+    return job.prove(make_result(mesh, **given))
 
 
 def of(name):
-    return made_of(name, find_frames.surface_nodes)
+    return result_of(name, find_frames.surface_nodes)
 
 
 @lru_cache
-def made_of(name, _):
+def result_of(name, _):
     return milled(PARTS[name]())
 
 
@@ -124,8 +124,8 @@ def axes_of(result):
 
 def rotary_of_feed(result):
     """Rotary words (b, 2) at both ends of every feed block, as our reader reads the posted text."""
-    made = result.draft
-    program = read_nc(made.nc, made.kinematics, made.dialect)
+    make_result = result.draft
+    program = read_nc(make_result.nc, make_result.kinematics, make_result.dialect)
     feed = np.flatnonzero(program.motion[1:] != Motion.RAPID)
     return np.asarray(program.words)[feed, 3:], np.asarray(program.words)[feed + 1, 3:]
 
@@ -260,7 +260,7 @@ def find_once(mesh, *given, **more):
     return FOUND[name]
 
 
-def made_and_frames(mesh, overlap, **given):
+def result_and_frames(mesh, overlap, **given):
     """The program, unproven, and which frame cuts what, as the strategy was told. What stays is for the judge
     to find: with ``rest`` on nothing looks for it before a program is proven."""
     seen, field_of = [], frame_passes.FramePasses.field
@@ -273,7 +273,7 @@ def made_and_frames(mesh, overlap, **given):
         patch.setattr(frame_passes.FramePasses, "field", remember)
         patch.setattr(frame_passes, "OVERLAP", overlap)
         patch.setattr(mill_context, "find_frames", find_once)
-        return SimpleNamespace(draft=made(mesh, rest="on", **given)), seen[0]
+        return SimpleNamespace(draft=make_result(mesh, rest="on", **given)), seen[0]
 
 
 def at_seams(result, frames, mesh, count, within):
@@ -313,7 +313,7 @@ def test_at_smooth_seams_between_frames_no_more_than_the_scallop_stays_and_witho
     mesh = ball_in_frames()
     most = []
     for overlap in (frame_passes.OVERLAP, 0.0):
-        rest, free = at_seams(*made_and_frames(mesh, overlap, within_frames=within), mesh, 40_000, 1.0)
+        rest, free = at_seams(*result_and_frames(mesh, overlap, within_frames=within), mesh, 40_000, 1.0)
         assert free.sum() > 2000 and rest.min() > -TOLERANCE
         most.append(np.quantile(rest[free], 0.999))
     assert most[0] <= SCALLOP < 1.2 * SCALLOP < most[1]
@@ -328,7 +328,7 @@ def test_at_seams_on_a_real_part_no_more_than_two_scallops_stay_where_the_tool_i
     """All seams, between sharp edges too; its seven frames see nine tenths of it."""
     mesh = read_stl(str(REAL))
     rest, free = at_seams(
-        *made_and_frames(mesh, frame_passes.OVERLAP, within_frames=within), mesh, 40_000, 1.0
+        *result_and_frames(mesh, frame_passes.OVERLAP, within_frames=within), mesh, 40_000, 1.0
     )
     assert free.sum() > 500 and rest.min() > -TOLERANCE
     assert (
@@ -339,7 +339,7 @@ def test_at_seams_on_a_real_part_no_more_than_two_scallops_stay_where_the_tool_i
 # ----------------------------------------------------------------------------------------- what no frame sees
 
 
-def test_what_is_under_a_roof_is_told_with_its_area():
+def test_what_is_under_a_roof_is_reported_with_its_area():
     """The ceiling of a shelf and what lies behind it."""
     mesh = shelf(gap=7.0, roof=6.0, back=25.0, length=20.0)
     result = milled(mesh, origin="0,0,80")
@@ -352,15 +352,17 @@ def test_what_is_under_a_roof_is_told_with_its_area():
     rest = cKDTree(centres(result)).query(point)[0] - RADIUS
     standing = (normal[:, 2] < -0.99) & (point[:, 2] < -4.9)
     uncut = ((rest > 2 * SCALLOP + TOLERANCE) & ~standing).mean() * mesh.area.sum()
-    told = sum(one.value for one in lost if "stands on" not in str(one.text))
-    assert uncut > 100.0 and told == pytest.approx(uncut, rel=0.35)
+    reported = sum(one.value for one in lost if "stands on" not in str(one.text))
+    assert uncut > 100.0 and reported == pytest.approx(uncut, rel=0.35)
 
 
 def test_fewer_frames_than_it_takes_say_what_they_do_not_see():
     whole, one = of("block"), milled(block(), frames=1)
     assert locked(one) == 1 and not [f for f in whole.findings if f.code == "outside-frames"]
-    (told,) = [f for f in one.findings if f.code == "outside-frames"]
-    assert told.value == pytest.approx(30 * 16 + 24 * 16, rel=0.02) and "allow more frames" in str(told.text)
+    (reported,) = [f for f in one.findings if f.code == "outside-frames"]
+    assert reported.value == pytest.approx(30 * 16 + 24 * 16, rel=0.02) and "allow more frames" in str(
+        reported.text
+    )
 
 
 # ------------------------------------------------------------------------------------------------ the cover
@@ -424,27 +426,27 @@ def test_one_rotary_axis_gives_frames_in_its_plane(tmp_path):
     result = milled(block(), machine=str(tmp_path / "a.fcm"), tool_length=120)
     assert locked(result) >= 2
     np.testing.assert_allclose(axes_of(result)[:, 0], 0.0, atol=1e-3)
-    told = sum(one.value for one in result.findings if one.code == "facets-without-free-axis")
-    assert told == pytest.approx(2 * 24 * 16, rel=0.05)  # both ends
+    reported = sum(one.value for one in result.findings if one.code == "facets-without-free-axis")
+    assert reported == pytest.approx(2 * 24 * 16, rel=0.05)  # both ends
 
 
-def test_without_rotary_axes_there_is_one_frame_and_walls_are_told(tmp_path):
+def test_without_rotary_axes_there_is_one_frame_and_walls_are_reported(tmp_path):
     save_machine(three(), tmp_path / "three.fcm")
     result = milled(block(), machine=str(tmp_path / "three.fcm"), tool_length=120)
     np.testing.assert_allclose(axes_of(result), [[0, 0, 1]])
-    told = sum(one.value for one in result.findings if one.code == "facets-without-free-axis")
-    assert told == pytest.approx(2 * 16 * (30 + 24), rel=0.05)
+    reported = sum(one.value for one in result.findings if one.code == "facets-without-free-axis")
+    assert reported == pytest.approx(2 * 16 * (30 + 24), rel=0.05)
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [(["--frames", "0"], "at least 1 and at most 12"), (["--frames", "13"], "at least 1 and at most 12"),
      (["--frames", "few"], "is not a number"), (["--frames", "2.5"], "not a whole number"),
      (["--tool-axis", "fixed"], "leave --tool-axis out"), (["--lead", "5"], "leave --lead out"),
      (["--tilt", "5"], "leave --tilt out"), (["--gouge", "tilt"], "choose another"),
      (["--singularity", "deform"], "choose another")],
 )  # fmt: skip
-def test_what_frames_cannot_do_is_refused_in_one_line(words, said, tmp_path, capsys):
+def test_what_frames_cannot_do_is_refused_in_one_line(words, message, tmp_path, capsys):
     write_stl(block(), tmp_path / "part.stl")
     given = [
         "mill",
@@ -458,7 +460,7 @@ def test_what_frames_cannot_do_is_refused_in_one_line(words, said, tmp_path, cap
     ]
     code = cli.main([*given, *words, "-o", str(tmp_path / "out.ngc")])
     error = capsys.readouterr().err.strip()
-    assert code == 2 and said in error and "\n" not in error
+    assert code == 2 and message in error and "\n" not in error
     assert sorted(path.name for path in tmp_path.iterdir()) == ["part.stl"]
 
 
@@ -473,7 +475,7 @@ def test_each_facet_is_of_one_frame_and_passes_are_spaced_by_how_the_cutter_stan
     edge there is no reason to step more closely."""
     mesh, given = block(), {"cutter": "flat:6", "scallop": 0.15, "gouge": "off", "linearize": "off"}
     with patch.object(milling, "find_region", wraps=milling.find_region) as found:
-        draft = made(mesh, **given)
+        draft = make_result(mesh, **given)
     ((_, _, keep, _, frames), _), region = found.call_args, milling.find_region(*found.call_args[0])
     own = frames.facets(mesh)
     assert (np.sum(own, axis=0)[keep] == 1).all() and len(own) == 2
@@ -483,10 +485,10 @@ def test_each_facet_is_of_one_frame_and_passes_are_spaced_by_how_the_cutter_stan
     assert narrow.value < 0.25 * narrow.limit and narrow.limit == pytest.approx(flat_interval(3.0, 0.15))
 
 
-def test_of_a_ball_and_of_a_level_bottom_it_is_not_said_that_passes_are_narrow():
+def test_of_a_ball_and_of_a_level_bottom_it_is_not_stated_that_passes_are_narrow():
     quick = {"gouge": "off", "linearize": "off", "rest": "off", "passes": "scallop"}
     for given in ({"cutter": "ball:6"}, {"cutter": "flat:6", "tool_axis": "face_normal"}):
-        assert "narrow-passes" not in [one.code for one in made(block(), **quick, **given).findings]
+        assert "narrow-passes" not in [one.code for one in make_result(block(), **quick, **given).findings]
 
 
 @pytest.mark.slow
@@ -513,12 +515,12 @@ def test_frames_keep_clear_of_fixtures(tmp_path):
 def planar(result, angle):
     """How far (k,) mm the contacts of each pass are from one plane that contains the pass's frame's axis and
     the travel, and how far apart (j,) mm such planes of a frame are that follow one another."""
-    made = result.draft
-    axes = np.unique(np.round(made.axis, 12), axis=0)  # the note rounds them
+    make_result = result.draft
+    axes = np.unique(np.round(make_result.axis, 12), axis=0)  # the note rounds them
     travel = np.array([math.cos(angle), math.sin(angle), 0.0])
     across = np.cross(axes, travel)
     across /= np.linalg.norm(across, axis=1)[:, None]
-    contact = made.contact
+    contact = make_result.contact
     off, apart = [], []
     for one in across:
         value = contact.point @ one

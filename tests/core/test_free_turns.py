@@ -26,7 +26,7 @@ LEAN = np.radians(50.0)
 BAR = np.array([[-1.0, -6.0, 30.0], [1.0, 6.0, 34.0]])  # low and high corner, mm
 
 
-def made_on(mesh, up, **options):
+def result_on(mesh, up, **options):
     faces = (mesh.normal[:, 2] > 0.9) & (mesh.vertex[mesh.face][..., 2].max(axis=1) <= up)
     given = {"machine": "trunnion_ac", "stepover": 2, "clearance": 10, **options}
     return job.make(build_settings("mill", "part", given), mesh=mesh, faces=faces)
@@ -38,7 +38,7 @@ def distance_to_bar(point):
 
 def test_a_turn_through_a_bar_over_a_floor_is_found_and_one_beside_it_is_not():
     mesh = from_triangles(np.concatenate([box((-20, -20, -5), (20, 20, 0)), box(*BAR)]))
-    path = made_on(mesh, 0.0, **PLAIN, gouge="off", direction=0, linearize="off").offset
+    path = result_on(mesh, 0.0, **PLAIN, gouge="off", direction=0, linearize="off").offset
     side = np.where(np.arange(len(path.point)) % 2 == 0, 1.0, -1.0)
     axis = np.column_stack([side * np.sin(LEAN), np.zeros(len(side)), np.full(len(side), np.cos(LEAN))])
     found = find_blocked_turns(path, axis, mesh, Reacher(Cutter(4.0, 60.0)))
@@ -57,20 +57,20 @@ def test_a_turn_through_a_bar_over_a_floor_is_found_and_one_beside_it_is_not():
     assert found.any() and not found[1:][np.diff(path.polyline) == 0].all()
 
 
-def test_small_turns_and_ends_of_polylines_are_not_asked():
+def test_small_turns_and_ends_of_polylines_are_not_requested():
     mesh = from_triangles(box((-20, -20, -5), (20, 20, 0)))
-    path = made_on(mesh, 0.0, **PLAIN, gouge="off").offset
+    path = result_on(mesh, 0.0, **PLAIN, gouge="off").offset
     assert not find_blocked_turns(
         path, np.tile([0.0, 0.0, 1.0], (len(path.point), 1)), mesh, Reacher(Cutter(4.0))
     ).any()
 
 
-def test_only_moves_at_pieces_with_a_way_out_are_asked():
+def test_only_moves_at_pieces_with_a_way_out_are_requested():
     none, here, out = (int(one) for one in Free)
     free = np.array([none, none, here, out, here, none, none, here, here, none, out, none, here, here, out])
     polyline = np.array([0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2])
-    asked = lead_out(polyline, free)
-    assert np.flatnonzero(asked).tolist() == [2, 3, 4, 5, 10, 11, 13, 14]
+    wanted = lead_out(polyline, free)
+    assert np.flatnonzero(wanted).tolist() == [2, 3, 4, 5, 10, 11, 13, 14]
     for row in range(1, len(free)):  # walked one by one
         piece = [row - 1, row] if polyline[row] == polyline[row - 1] else [row]
         while piece[0] and free[piece[0]] and free[piece[0] - 1] and polyline[piece[0] - 1] == polyline[row]:
@@ -82,7 +82,7 @@ def test_only_moves_at_pieces_with_a_way_out_are_asked():
             and polyline[piece[-1] + 1] == polyline[row]
         ):
             piece.append(piece[-1] + 1)
-        assert asked[row] == (free[piece] == out).any(), row
+        assert wanted[row] == (free[piece] == out).any(), row
     assert not lead_out(polyline[:0], free[:0]).any()
 
 
@@ -92,10 +92,10 @@ def test_a_short_tool_does_not_turn_its_holder_through_the_part(nodes, monkeypat
     """And where its turns are not asked, it does."""
 
     def met():
-        made = made_on(
+        result = result_on(
             prism(STEP, length=11.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6
         )
-        return [one.code for one in job.prove(made).findings if one.code in ("holder-collision", "overcut")]
+        return [one.code for one in job.prove(result).findings if one.code in ("holder-collision", "overcut")]
 
     take_nodes(monkeypatch, nodes)
     keep_fields(monkeypatch)

@@ -224,7 +224,7 @@ def test_a_source_farther_off_the_surface_than_the_ball_is_thick_is_refused():
 # ------------------------------------------------------------------------------------------------ the passes
 
 
-def laid(mesh, **options):
+def plan_passes(mesh, **options):
     """The field of a strategy, and its passes on the copy and on the part, on flat ground."""
     field = ConstantScallop("").field(region_of(mesh), PassOptions(**options))
     contact = slice_field(field.surface.mesh, field.value, field.levels)
@@ -232,7 +232,7 @@ def laid(mesh, **options):
 
 
 def test_the_first_pass_stands_half_a_step_from_the_border():
-    contact, _ = laid(flat_copy(6.0)[0], stepover=1.0)
+    contact, _ = plan_passes(flat_copy(6.0)[0], stepover=1.0)
     first = contact.point[contact.pass_ == contact.pass_.min()]
     off = np.minimum(first[:, :2], 6.0 - first[:, :2]).min(axis=1)
     assert np.median(off) == pytest.approx(0.5, abs=0.05)
@@ -240,16 +240,16 @@ def test_the_first_pass_stands_half_a_step_from_the_border():
 
 def test_passes_round_a_point_are_round_within_a_part_of_a_step():
     """On two facets: only their copy can carry circles, and only short segments follow them."""
-    contact, made = laid(flat_copy(12.0)[0], stepover=1.0, source=(6.0, 6.0, 0.0))
+    contact, result = plan_passes(flat_copy(12.0)[0], stepover=1.0, source=(6.0, 6.0, 0.0))
     radius = np.linalg.norm(contact.point - (6.0, 6.0, 0.0), axis=1)
     assert np.abs(radius - np.floor(radius) - 0.5)[radius < 6.0].max() < 0.3
-    start, step = made.point[::2], made.point[1::2] - made.point[::2]
+    start, step = result.point[::2], result.point[1::2] - result.point[::2]
     off = contact.point[radius < 6.0][:, None] - start
     share = np.clip((off * step).sum(axis=2) / (step * step).sum(axis=1), 0.0, 1.0)
     assert np.linalg.norm(off - share[:, :, None] * step, axis=2).min(axis=1).max() < 0.03 + 1e-9
 
 
-def test_more_passes_than_any_job_can_want_are_refused_before_they_are_laid():
+def test_more_passes_than_any_job_can_want_are_refused_before_they_are_planned():
     with pytest.raises(SettingsError, match="more than any job can want"):
         ConstantScallop("").check(region_of(flat_copy(10.0)[0]), PassOptions(stepover=1e-3))
 
@@ -259,20 +259,20 @@ def test_laying_passes_tells_its_progress_and_can_be_stopped_while_gaps_are_look
     monkeypatch.setattr(chunks, "ALONE", True)  # a helper may take it all, and then has nothing to tell
 
     def lay(stop=math.inf):
-        told = []
+        reported = []
 
         def listen(stage, share):
-            told.append(share)
+            reported.append(share)
             if share >= stop:
                 raise InterruptedError
 
         ConstantScallop("").field(
             replace(region_of(flat_copy()[0]), progress=listen), PassOptions(stepover=0.5)
         )
-        return told
+        return reported
 
-    told = lay()
-    assert told == sorted(told) and len([share for share in told if 0.9 < share < 1.0]) >= 4
+    reported = lay()
+    assert reported == sorted(reported) and len([share for share in reported if 0.9 < share < 1.0]) >= 4
     for stop in (0.84, 0.95):
         with pytest.raises(InterruptedError):
             lay(stop)
@@ -401,10 +401,10 @@ def test_on_the_part_a_pass_is_one_segment_only_as_far_as_it_is_straight():
 
 
 def test_two_polylines_in_line_within_a_facet_stay_two():
-    made = on_one_facet([(0, 0), (5, 0)], [(7, 0), (12, 0)], bend=0.1)
-    assert made.point[:, 0].tolist() == [0.0, 5.0, 7.0, 12.0] and made.polyline.tolist() == [0, 0, 1, 1]
+    result = on_one_facet([(0, 0), (5, 0)], [(7, 0), (12, 0)], bend=0.1)
+    assert result.point[:, 0].tolist() == [0.0, 5.0, 7.0, 12.0] and result.polyline.tolist() == [0, 0, 1, 1]
 
 
 def test_what_is_shorter_than_a_pass_may_be_is_left_out():
-    made = on_one_facet([(0, 0), (0.9, 0)], [(7, 0), (8.1, 0)], short=1.0)
-    assert made.point[:, 0].tolist() == [7.0, 8.1] and made.polyline.tolist() == [0, 0]
+    result = on_one_facet([(0, 0), (0.9, 0)], [(7, 0), (8.1, 0)], short=1.0)
+    assert result.point[:, 0].tolist() == [7.0, 8.1] and result.polyline.tolist() == [0, 0]

@@ -385,7 +385,7 @@ def test_pairs_divided_a_few_at_a_time_find_the_same(monkeypatch):
     whole = entries(ball(4.0), mesh, swept)
     shallow, known = 0.2, find_entries(ball(4.0), facet_tree(mesh), swept, 0.2, np.inf)
     monkeypatch.setattr(refinement, "AT_ONCE", 7)
-    parts, told = (
+    parts, reported = (
         entries(ball(4.0), mesh, swept),
         find_entries(ball(4.0), facet_tree(mesh), swept, shallow, np.inf),
     )
@@ -393,7 +393,9 @@ def test_pairs_divided_a_few_at_a_time_find_the_same(monkeypatch):
         parts.depth, whole.depth, rtol=0.011, atol=LIMIT / 10
     )
     assert (parts.bound >= whole.depth - 1e-9).all()
-    assert ((told.bound > shallow) == (known.bound > shallow)).all() and 0 < (told.bound > shallow).sum() < 29
+    assert ((reported.bound > shallow) == (known.bound > shallow)).all() and 0 < (
+        reported.bound > shallow
+    ).sum() < 29
 
 
 def test_a_course_without_blocks_has_no_entries():

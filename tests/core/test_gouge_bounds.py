@@ -164,7 +164,7 @@ def test_the_samples_see_a_bound_that_forgets_what_the_way_bends():
     assert (np.array(found) > most + 1e-3).any()
 
 
-def test_a_point_said_to_be_deep_is_so_at_some_pose():
+def test_a_point_stated_to_be_deep_is_so_at_some_pose():
     rng, mesh, piece, deep = np.random.default_rng(5), bumpy(400), PIECES["bull nose"], 0
     tree = facet_tree(mesh)
     for swept in [swept for _ in range(12) for swept in courses(rng, mesh).values()]:
@@ -337,7 +337,7 @@ def test_every_corner_is_in_the_boxes_and_plates_of_its_nodes(mesh):
         assert np.linalg.norm(corner - tree.middle[:, [node]], axis=0).max() <= tree.size[node] + 1e-9
 
 
-def test_the_tree_of_a_mesh_is_made_once_and_goes_with_it():
+def test_the_tree_of_a_mesh_is_built_once_and_goes_with_it():
     mesh = step()
     tree = facet_tree(mesh)
     assert facet_tree(mesh) is tree and facet_tree(step()) is not tree

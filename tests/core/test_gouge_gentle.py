@@ -61,12 +61,12 @@ def milled(mesh, **options):
     return job.make(build_settings("mill", "part", {**OPTIONS, **options}), mesh=mesh)
 
 
-def judged(made):
+def judged(result):
     """The judge's verdict over all cuts."""
-    cuts = np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL)))
+    cuts = np.flatnonzero(np.isin(result.program.motion[1:], (Motion.CUT, Motion.FILL)))
     assert len(cuts) > 10
     return gouge_judge.judged(
-        made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, cuts
+        result.mesh, result.settings.cutter.cutter, result.kinematics, result.program.words, cuts
     )
 
 
@@ -85,7 +85,7 @@ def test_no_cut_goes_deeper_into_a_creased_or_gentle_patch_than_the_tolerance(pa
     """Cutters whose edge swings far from the tip that is kept on its way."""
     shape, high, wide, cutter, cells, spacing, direction, stepover, machine = PATCHES[patch]
     mesh = from_triangles(field(cells, lambda x, y: high * SHAPES[shape](x, y, wide), spacing))
-    made = milled(
+    result = milled(
         mesh, cutter=cutter, stepover=stepover, direction=direction, machine=machine, origin=(0.0, 0.0, 100.0)
     )
-    assert judged(made).worst <= TOLERANCE
+    assert judged(result).worst <= TOLERANCE

@@ -55,22 +55,28 @@ def milled(mesh, **options):
     return job.make(build_settings("mill", "part", {**OPTIONS, **options}), mesh=mesh)
 
 
-def both(made):
+def both(result):
     """What the check says of the cuts, which blocks these are, and the judge's verdict on them."""
-    program, cutter = made.program, made.settings.cutter.cutter
-    checked = check_program(made.mesh, options.tool_body(made.settings), made.kinematics, program, TOLERANCE)
+    program, cutter = result.program, result.settings.cutter.cutter
+    checked = check_program(
+        result.mesh, options.tool_body(result.settings), result.kinematics, program, TOLERANCE
+    )
     cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
-    return checked.cutter, cuts, gouge_judge.judged(made.mesh, cutter, made.kinematics, program.words, cuts)
+    return (
+        checked.cutter,
+        cuts,
+        gouge_judge.judged(result.mesh, cutter, result.kinematics, program.words, cuts),
+    )
 
 
-def agree(made):
+def agree(result):
     """Worst entries within a tenth, no block beyond its bound, and each block's deepest place where it is
     told to be."""
-    found, cuts, verdict = both(made)
+    found, cuts, verdict = both(result)
     assert verdict.worst == pytest.approx(found.depth[cuts].max(), rel=0.1) and verdict.worst > 10 * TOLERANCE
     assert (verdict.entry <= found.bound[cuts] + 1e-6).all()
     deep = np.flatnonzero(found.depth > 0.0)
-    assert np.abs(gouge_judge.distances(made.mesh, found.place[deep])).max() < 1e-6
+    assert np.abs(gouge_judge.distances(result.mesh, found.place[deep])).max() < 1e-6
 
 
 @pytest.mark.parametrize(
@@ -90,28 +96,28 @@ def test_the_worst_overcut_of_concave_parts_is_the_judges_too(part, cutter):
 )  # fmt: skip
 def test_after_the_lift_the_judge_finds_nothing_deeper_than_the_tolerance(part, cutter):
     shape, options = PARTS[part]
-    made = milled(shape(), cutter=cutter, stepover=8, gouge="lift", **options)
-    _, _, verdict = both(made)
+    result = milled(shape(), cutter=cutter, stepover=8, gouge="lift", **options)
+    _, _, verdict = both(result)
     assert verdict.worst <= TOLERANCE and verdict.dug <= TOLERANCE
     given = milled(shape(), cutter=cutter, stepover=8, gouge="off", **options)
     assert (
-        nearest(made) > min(nearest(given, 10**6), 0.0) - 0.03
+        nearest(result) > min(nearest(given, 10**6), 0.0) - 0.03
     )  # no row is lifted off the part; most of this is the cloud's coarseness
 
 
-def nearest(made, most=100):
+def nearest(result, most=100):
     """The entry (mm) at the row on the part, of at most so many, that stands farthest off it."""
-    path, inner = made.path, gouge_judge.cloud(made.settings.cutter.cutter, rings=24)
+    path, inner = result.path, gouge_judge.cloud(result.settings.cutter.cutter, rings=24)
     rows = np.flatnonzero(np.isin(path.motion, (Motion.CUT, Motion.FILL)))
     rows = rows[np.unique(np.linspace(0, len(rows) - 1, most).astype(int))]
-    return gouge_judge.entries(made.mesh, path.tip[rows], path.axis[rows], inner).min()
+    return gouge_judge.entries(result.mesh, path.tip[rows], path.axis[rows], inner).min()
 
 
 @pytest.mark.thorough
 def test_a_judge_of_a_thinner_cutter_would_disagree():
-    made = milled(bowl_block(11.0, cells=36), cutter="ball:10:40", stepover=8, direction=20)
-    found, cuts, _ = both(made)
-    thin = gouge_judge.judged(made.mesh, Cutter(6.0, 40.0), made.kinematics, made.program.words, cuts)
+    result = milled(bowl_block(11.0, cells=36), cutter="ball:10:40", stepover=8, direction=20)
+    found, cuts, _ = both(result)
+    thin = gouge_judge.judged(result.mesh, Cutter(6.0, 40.0), result.kinematics, result.program.words, cuts)
     assert thin.worst < 0.9 * found.depth.max()
 
 
@@ -135,7 +141,7 @@ def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
     assert gouge_judge.dug(step(), tip, axis, gouge_judge.skin(flat))[0] == pytest.approx(0.5, rel=0.02)
 
 
-def asked_everywhere(mesh, tip, axis, inner):
+def measure_everywhere(mesh, tip, axis, inner):
     """What :func:`gouge_judge.entries` says, of all points of the cutter at all poses."""
     points = gouge_judge.placed(inner.point, tip, axis)
     return (inner.below - gouge_judge.distances(mesh, points.reshape(-1, 3)).reshape(points.shape[:2])).max(
@@ -159,7 +165,7 @@ def about_a_step():
 def test_the_judge_says_the_same_where_it_leaves_cells_of_the_cutter_out(cutter, about_a_step):
     inner = gouge_judge.cloud(cutter, 12)
     np.testing.assert_allclose(
-        gouge_judge.entries(*about_a_step, inner), asked_everywhere(*about_a_step, inner), atol=1e-9
+        gouge_judge.entries(*about_a_step, inner), measure_everywhere(*about_a_step, inner), atol=1e-9
     )
 
 
@@ -173,7 +179,7 @@ def test_cells_that_are_left_out_too_soon_would_be_noticed(about_a_step, monkeyp
 
     monkeypatch.setattr(gouge_judge, "_cells", narrow)
     assert (
-        np.abs(gouge_judge.entries(*about_a_step, inner) - asked_everywhere(*about_a_step, inner)).max()
+        np.abs(gouge_judge.entries(*about_a_step, inner) - measure_everywhere(*about_a_step, inner)).max()
         > 0.01
     )
 

@@ -82,22 +82,22 @@ def test_a_ball_over_a_groove_that_is_too_narrow_is_lifted_onto_its_rims():
 
 
 def test_lifting_says_how_far_it_is_and_can_be_stopped_at_each_word():
-    path, tree, body, said = (
+    path, tree, body, message = (
         cl_path([(-5, 0, -4), (0, 0, -4), (5, 0, -4)]),
         facet_tree(round_groove(4.0)),
         body_of(Cutter(10.0)),
         [],
     )
-    lift_path(path, tree, body, TOLERANCE, progress=lambda *told: said.append(told))
-    done = [fraction for _, fraction in said]
+    lift_path(path, tree, body, TOLERANCE, progress=lambda *reported: message.append(reported))
+    done = [fraction for _, fraction in message]
     assert (
-        {stage for stage, _ in said} == {"lift"}
+        {stage for stage, _ in message} == {"lift"}
         and done == sorted(done)
         and done[-1] == 1.0
         and len(set(done)) > 5
     )
-    for last in range(0, len(said), 9):
-        words = iter(range(len(said)))
+    for last in range(0, len(message), 9):
+        words = iter(range(len(message)))
 
         def stop(stage, fraction, words=words, last=last):
             if next(words) == last:
@@ -137,9 +137,9 @@ def cuts_of_no_length(path):
 
 @pytest.mark.thorough
 def test_no_rows_are_put_in_that_stand_on_each_other():
-    made = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift", **UNASKED)
-    assert any(finding.code == "lifted" for finding in made.findings)
-    assert cuts_of_no_length(made.path) == 0
+    outcome = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift", **UNASKED)
+    assert any(finding.code == "lifted" for finding in outcome.findings)
+    assert cuts_of_no_length(outcome.path) == 0
 
 
 @pytest.mark.thorough
@@ -147,23 +147,23 @@ def test_without_room_below_the_aim_rows_are_put_in_for_nothing(monkeypatch):
     """A row that enters by the whole aim has blocks beside it that enter by a hair more, however short they
     are."""
     monkeypatch.setattr(lift, "ROOM", 1.0)
-    made = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift", **UNASKED)
-    assert cuts_of_no_length(made.path) > 10
+    outcome = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift", **UNASKED)
+    assert cuts_of_no_length(outcome.path) > 10
 
 
 def test_rows_half_way_stand_on_the_commanded_way_and_lead_where_the_next_does():
     path = cl_path([(0, 0, 0), (0, 2, 0), (0, 6, 2)])
     axes = np.array([(0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, np.sin(0.4), np.cos(0.4))])
     path = replace(path, axis=axes, face=np.array([4, 5, 6]))
-    made = solve_joints._halve_blocks(path, np.array([2]))
-    assert made.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and made.face.tolist() == [
+    outcome = solve_joints._halve_blocks(path, np.array([2]))
+    assert outcome.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and outcome.face.tolist() == [
         4,
         5,
         6,
         6,
     ]
-    np.testing.assert_allclose(made.axis[2], (0.0, np.sin(0.2), np.cos(0.2)), atol=1e-12)
-    assert made.motion.tolist() == [*path.motion.tolist(), Motion.CUT]
+    np.testing.assert_allclose(outcome.axis[2], (0.0, np.sin(0.2), np.cos(0.2)), atol=1e-12)
+    assert outcome.motion.tolist() == [*path.motion.tolist(), Motion.CUT]
 
 
 def context_of(**options):
@@ -247,15 +247,15 @@ def test_a_cut_that_ends_under_a_roof_is_lifted_above_it_before_the_tool_leaves(
 @pytest.mark.parametrize("direction", [0, pytest.param(90, marks=pytest.mark.slow)])
 @some_in_core("gouge", ["lift", "leave-out"])
 def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
-    made = milled(shelf(), cutter="ball:4:6", stepover=4, direction=direction, gouge=gouge)
-    assert not {"overcut", "rapid-collision"} & {f.code for f in job.prove(made).findings}
+    outcome = milled(shelf(), cutter="ball:4:6", stepover=4, direction=direction, gouge=gouge)
+    assert not {"overcut", "rapid-collision"} & {f.code for f in job.prove(outcome).findings}
     body, points, swept = (
         body_of(Cutter(4.0, 6.0)),
         dense_points(shelf(), 0.8),
-        real_motion(made.kinematics, made.program.words),
+        real_motion(outcome.kinematics, outcome.program.words),
     )
     assert max(sampled_depth(body, points, swept, k, 9) for k in range(len(swept))) <= TOLERANCE
-    some = made.path.contact[made.path.motion == Motion.CUT]
+    some = outcome.path.contact[outcome.path.motion == Motion.CUT]
     assert (some[:, 1] < -3.0).any() and (some[:, 2] > 15.9).any()  # beside the roof and on it all is cut
 
 
@@ -263,8 +263,8 @@ def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
 def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monkeypatch):
     cure = importlib.import_module(f"freecad_fiveaxis.core.gouge.{gouge.replace('-', '_')}")
     monkeypatch.setattr(cure, "is_under", lambda *given: np.zeros(len(given[2]), np.bool_))
-    made = milled(shelf(), cutter="ball:4:6", stepover=4, gouge=gouge)
-    assert "rapid-collision" in {f.code for f in job.prove(made).findings}
+    outcome = milled(shelf(), cutter="ball:4:6", stepover=4, gouge=gouge)
+    assert "rapid-collision" in {f.code for f in job.prove(outcome).findings}
 
 
 def test_where_all_is_under_a_roof_leave_out_says_what_to_do():
@@ -314,9 +314,9 @@ def test_the_way_out_of_a_cutter_is_where_a_drop_cutter_stops():
 
 
 def test_where_nothing_enters_the_path_stays_the_same_object():
-    made = milled(step(6.0), tool_axis="facet_mean", direction=90, cutter="ball:6")
-    lifted = lift_path(made.path, facet_tree(made.mesh), body_of(Cutter(6.0)), TOLERANCE)
-    assert lifted.path is made.path and not lifted.lift.any()
+    outcome = milled(step(6.0), tool_axis="facet_mean", direction=90, cutter="ball:6")
+    lifted = lift_path(outcome.path, facet_tree(outcome.mesh), body_of(Cutter(6.0)), TOLERANCE)
+    assert lifted.path is outcome.path and not lifted.lift.any()
 
 
 @some_in_core("part", ["dome", "half_cylinder"], kept=(1,))
@@ -409,15 +409,15 @@ def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
 def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter, gouge):
     before = job.prove(milled(mesh, cutter=cutter, gouge="report"))
     assert "overcut" in {f.code for f in before.findings}
-    made = milled(mesh, cutter=cutter, gouge=gouge)
-    assert len(made.axis) == len(made.offset.point)
-    after = job.prove(made)
+    outcome = milled(mesh, cutter=cutter, gouge=gouge)
+    assert len(outcome.axis) == len(outcome.offset.point)
+    after = job.prove(outcome)
     assert not {"overcut", "rapid-collision", "buried"} & {f.code for f in after.findings}
     assert {"lift": "lifted", "leave-out": "left-out"}[gouge] in {f.code for f in after.findings}
-    swept = real_motion(made.kinematics, made.program.words)
+    swept = real_motion(outcome.kinematics, outcome.program.words)
     points = dense_points(mesh, 0.8)
     blocks = np.random.default_rng(0).permutation(len(swept))[:40]
-    cutter = body_of(made.settings.cutter.cutter)
+    cutter = body_of(outcome.settings.cutter.cutter)
     assert max(sampled_depth(cutter, points, swept, int(k), 5) for k in blocks) <= TOLERANCE
 
 
@@ -429,20 +429,20 @@ def test_where_the_machine_leaves_a_cured_path_the_overcut_says_so():
         ("lift", "path itself is free of the part there"),
     ):
         options = {"cutter": "ball:20", "stepover": 4, "tool_axis": "facet_mean", "linearize": "off"}
-        made = milled(bowl(15.0, 8), gouge=gouge, **options)
-        said = [f.text for f in job.prove(made).findings if f.code == "overcut"]
-        assert said and all(helps in text and "linearize on" in text for text in said)
+        outcome = milled(bowl(15.0, 8), gouge=gouge, **options)
+        message = [f.text for f in job.prove(outcome).findings if f.code == "overcut"]
+        assert message and all(helps in text and "linearize on" in text for text in message)
 
 
 @pytest.mark.thorough
 @some_in_core("diameter", [20, 60])
 def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
     mesh = read_stl(str(parts / "freeform_233.stl"))
-    made = milled(mesh, tool_axis="facet_mean", cutter=f"ball:{diameter}", stepover=4, gouge="report")
-    worst = max((f for f in job.prove(made).findings if f.code == "overcut"), key=lambda f: f.value)
+    outcome = milled(mesh, tool_axis="facet_mean", cutter=f"ball:{diameter}", stepover=4, gouge="report")
+    worst = max((f for f in job.prove(outcome).findings if f.code == "overcut"), key=lambda f: f.value)
     body, swept = (
-        Body(body_of(made.settings.cutter.cutter).pieces[:1]),
-        real_motion(made.kinematics, made.program.words),
+        Body(body_of(outcome.settings.cutter.cutter).pieces[:1]),
+        real_motion(outcome.kinematics, outcome.program.words),
     )
     points = dense_points(mesh, 0.4)
     assert sampled_depth(body, points, swept, worst.block - 1, 21) == pytest.approx(worst.value, rel=0.02)
@@ -460,10 +460,10 @@ def test_a_path_driven_by_the_centre_is_lifted_as_that_of_the_tip():
     assert by_centre.path.tip - 5.0 * by_centre.path.axis == pytest.approx(by_tip.path.tip, abs=1e-9)
 
 
-def test_a_holder_is_checked_and_its_block_and_line_are_told():
-    made = milled(step(30.0), cutter="ball:6:10", gouge="report", holder="50x30", direction=90)
-    found = [f for f in job.prove(made).findings if f.code == "holder-collision"]
-    assert found and found[0].line == made.program.line[found[0].block] and found[0].value > 1.0
+def test_a_holder_is_checked_and_its_block_and_line_are_reported():
+    outcome = milled(step(30.0), cutter="ball:6:10", gouge="report", holder="50x30", direction=90)
+    found = [f for f in job.prove(outcome).findings if f.code == "holder-collision"]
+    assert found and found[0].line == outcome.program.line[found[0].block] and found[0].value > 1.0
 
 
 def test_stacks_are_read_with_units_and_written_back():
@@ -508,9 +508,10 @@ def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys)
         str(tmp_path / "a.json"),
     ]
     assert main([*common, "--gouge", "report"]) == 1
-    told = json.loads((tmp_path / "a.json").read_text())
+    reported = json.loads((tmp_path / "a.json").read_text())
     assert (
-        "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63x40"
+        "overcut" in {finding["code"] for finding in reported["findings"]}
+        and reported["inputs"]["holder"] == "63x40"
     )
     assert main([*common, "--gouge", "lift", "--quiet"]) == 0
     assert "too deep into the part" in capsys.readouterr().out

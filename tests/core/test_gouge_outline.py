@@ -22,9 +22,9 @@ def depths(body, points):
 @pytest.mark.parametrize("above", [((), ()), (SHANK_OF, ()), (SHANK_OF, HOLDER_OF)])
 def test_every_point_of_the_outline_lies_on_the_body_and_points_away_from_it(text, above):
     body = body_of(parse_cutter(text), *above)
-    made = outline(body)
-    middle, outward = (made.start + made.end) / 2, made.start_normal + made.end_normal
-    assert np.abs(depths(body, made.end)).max() < 1e-9 and np.abs(depths(body, made.start)).max() < 1e-9
+    result = outline(body)
+    middle, outward = (result.start + result.end) / 2, result.start_normal + result.end_normal
+    assert np.abs(depths(body, result.end)).max() < 1e-9 and np.abs(depths(body, result.start)).max() < 1e-9
     assert np.all(depths(body, middle + 0.05 * outward) < 0.0) and np.all(
         depths(body, middle - 0.05 * outward) > 0.0
     )
@@ -32,15 +32,15 @@ def test_every_point_of_the_outline_lies_on_the_body_and_points_away_from_it(tex
 
 @pytest.mark.parametrize("text", CUTTERS)
 def test_it_is_one_line_from_the_tip_to_the_axis_again(text):
-    made = outline(body_of(parse_cutter(text), SHANK_OF, HOLDER_OF))
-    assert np.allclose(made.start[0], 0.0, atol=1e-12) and made.end[-1, 0] == 0
-    assert np.allclose(made.end[:-1], made.start[1:], atol=1e-12)
-    assert list(dict.fromkeys(made.part)) == [CUTTER, SHANK, HOLDER]
+    result = outline(body_of(parse_cutter(text), SHANK_OF, HOLDER_OF))
+    assert np.allclose(result.start[0], 0.0, atol=1e-12) and result.end[-1, 0] == 0
+    assert np.allclose(result.end[:-1], result.start[1:], atol=1e-12)
+    assert list(dict.fromkeys(result.part)) == [CUTTER, SHANK, HOLDER]
 
 
 def test_turned_about_the_axis_it_has_the_volume_of_a_ball_end_with_shank_and_holder():
-    made = outline(body_of(parse_cutter("ball:10:30"), ((8.0, 20.0),), ((40.0, 25.0),)))
-    (r0, z0), (r1, z1) = made.start.T, made.end.T
+    result = outline(body_of(parse_cutter("ball:10:30"), ((8.0, 20.0),), ((40.0, 25.0),)))
+    (r0, z0), (r1, z1) = result.start.T, result.end.T
     volume = float((np.pi / 3 * (z1 - z0) * (r0 * r0 + r0 * r1 + r1 * r1)).sum())
     truth = np.pi * (2 / 3 * 125 + 25 * 25 + 16 * 20 + 400 * 25)
     assert volume == pytest.approx(truth, rel=1e-4)

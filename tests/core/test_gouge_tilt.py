@@ -37,7 +37,7 @@ LONG = {"cutter": "ball:6:24", "holder": "24x40", "max_tilt": 30}
 CURES = ("report", "lift", "leave-out", "tilt")
 
 
-def made_of(mesh, faces=None, **options):
+def result_of(mesh, faces=None, **options):
     return job.make(
         build_settings("mill", "part", {**OPTIONS, "stepover": 6, **options}), mesh=mesh, faces=faces
     )
@@ -47,16 +47,16 @@ def codes(result):
     return {finding.code for finding in result.findings}
 
 
-def rows_on(made, low, high):
+def rows_on(outcome, low, high):
     """The rows of the passes with contacts on the floor, y from ``low`` to ``high``."""
-    path, y = made.path, made.path.contact[:, 1]
+    path, y = outcome.path, outcome.path.contact[:, 1]
     return np.flatnonzero((path.pass_ >= 0) & (y > low) & (y < high) & (path.contact[:, 2] < 1.0))
 
 
 @pytest.fixture(scope="module")
 def along():
     """Passes along a wall, which the holder would enter on those near it, off and with the tilt."""
-    return made_of(step(WALL), gouge="off", **LONG), made_of(step(WALL), gouge="tilt", **LONG)
+    return result_of(step(WALL), gouge="off", **LONG), result_of(step(WALL), gouge="tilt", **LONG)
 
 
 def needed(distance):
@@ -66,33 +66,33 @@ def needed(distance):
 
 
 def test_beside_a_wall_the_tool_tilts_by_the_least_angle_that_frees_the_holder(along):
-    made = along[1]
+    outcome = along[1]
     seen = 0
-    for y in np.unique(np.round(made.path.contact[rows_on(made, -12.0, -4.0), 1], 6)):
-        rows = rows_on(made, y - 1e-3, y + 1e-3)
-        middle = rows[np.abs(made.path.contact[rows, 0]) < 5.0]
-        tilt = np.arccos(np.clip(made.path.axis[middle, 2], -1.0, 1.0))
+    for y in np.unique(np.round(outcome.path.contact[rows_on(outcome, -12.0, -4.0), 1], 6)):
+        rows = rows_on(outcome, y - 1e-3, y + 1e-3)
+        middle = rows[np.abs(outcome.path.contact[rows, 0]) < 5.0]
+        tilt = np.arccos(np.clip(outcome.path.axis[middle, 2], -1.0, 1.0))
         least = needed(-y - 0.04)  # the holder stays 0.05 mm off, but for the tolerance
         assert (
             np.degrees(tilt.min()) > np.degrees(least) - 0.01
             and np.degrees(tilt.max()) < np.degrees(least) + 0.4
         )
-        assert (made.path.axis[middle, 1] < 0.0).all()  # away from the wall
+        assert (outcome.path.axis[middle, 1] < 0.0).all()  # away from the wall
         seen += len(middle)
     assert seen > 3
 
 
 def test_the_tilted_program_is_free_and_a_judge_says_so_too(along):
-    off, made = along
-    result = job.prove(made)
+    off, outcome = along
+    result = job.prove(outcome)
     tilted = next(finding for finding in result.findings if finding.code == "tilted")
     assert (
         5.0 < tilted.value < 30.0 == pytest.approx(tilted.limit)
         and f"most by {tilted.value:.3g} deg" in tilted.text
     )
-    body, points = job.tool_body(made.settings), dense_points(step(WALL), 1.0)
+    body, points = job.tool_body(outcome.settings), dense_points(step(WALL), 1.0)
     holder = body.only(HOLDER)
-    for path, free in ((off.path, False), (made.path, True)):
+    for path, free in ((off.path, False), (outcome.path, True)):
         blocks = [
             k
             for k in range(len(path.tip) - 1)
@@ -103,8 +103,8 @@ def test_the_tilted_program_is_free_and_a_judge_says_so_too(along):
 
 
 def test_contacts_and_centres_stay_where_they_are(along):
-    off, made = along
-    centre = made.path.tip + 3.0 * made.path.axis
+    off, outcome = along
+    centre = outcome.path.tip + 3.0 * outcome.path.axis
     for row in rows_on(off, -30.0, -4.0):
         there = off.path.tip[row] + 3.0 * off.path.axis[row]
         assert np.linalg.norm(centre - there, axis=1).min() < 1e-9
@@ -112,8 +112,8 @@ def test_contacts_and_centres_stay_where_they_are(along):
 
 @pytest.mark.thorough
 def test_rows_before_and_behind_turn_together_and_none_jumps():
-    made = made_of(step(WALL), gouge="tilt", direction=90, **{**LONG, "max_tilt": 20})
-    path = made.path
+    outcome = result_of(step(WALL), gouge="tilt", direction=90, **{**LONG, "max_tilt": 20})
+    path = outcome.path
     first = path.pass_ == path.pass_[path.pass_ >= 0][0]
     floor = np.flatnonzero(first & (path.contact[:, 2] < 1.0))
     tilt = np.degrees(np.arccos(np.clip(path.axis[floor, 2], -1.0, 1.0)))
@@ -131,17 +131,17 @@ def make_jump(tilt):
     return alone
 
 
-def test_what_no_tilt_frees_is_told_with_its_place():
-    result = job.prove(made_of(step(WALL), gouge="tilt", **{**LONG, "max_tilt": 2}))
+def test_what_no_tilt_frees_is_reported_with_its_place():
+    result = job.prove(result_of(step(WALL), gouge="tilt", **{**LONG, "max_tilt": 2}))
     assert {"not-freed", "holder-collision"} <= codes(result)
-    told = next(finding for finding in result.findings if finding.code == "not-freed")
-    assert told.value > 20.0 and told.place is not None and "max-tilt" in told.text
+    reported = next(finding for finding in result.findings if finding.code == "not-freed")
+    assert reported.value > 20.0 and reported.place is not None and "max-tilt" in reported.text
 
 
 def test_tilted_axes_stay_within_the_rotary_limits_and_the_largest_tilt(along):
-    made = along[1]
-    assert axes_within_limits(made.kinematics, made.path.axis).all()
-    assert np.degrees(np.arccos(made.path.axis[:, 2].min())) < 30.0 + 1e-6
+    outcome = along[1]
+    assert axes_within_limits(outcome.kinematics, outcome.path.axis).all()
+    assert np.degrees(np.arccos(outcome.path.axis[:, 2].min())) < 30.0 + 1e-6
 
 
 def test_no_step_of_the_search_leads_beyond_the_largest_tilt():
@@ -179,14 +179,14 @@ def test_a_tapered_flank_never_leans_into_the_facet():
 @pytest.mark.parametrize("cutter", ["bull:6:1:24", pytest.param("flat:6:24", marks=pytest.mark.slow)])
 def test_a_cutter_with_a_ring_sits_anew_under_the_tilted_axis(cutter):
     options = {**LONG, "cutter": cutter, "stepover": 9, "holder": "30x30"}
-    made = made_of(step(WALL), gouge="tilt", **options)
-    assert "tilted" in {finding.code for finding in made.findings}
-    rows = rows_on(made, -13.0, -8.0)
-    lean = np.arccos(np.clip(made.path.axis[rows, 2], -1.0, 1.0))
-    corner = made.settings.cutter.cutter.corner
-    ring = made.settings.cutter.cutter.ring
+    outcome = result_of(step(WALL), gouge="tilt", **options)
+    assert "tilted" in {finding.code for finding in outcome.findings}
+    rows = rows_on(outcome, -13.0, -8.0)
+    lean = np.arccos(np.clip(outcome.path.axis[rows, 2], -1.0, 1.0))
+    corner = outcome.settings.cutter.cutter.corner
+    ring = outcome.settings.cutter.cutter.ring
     # the lowest point of a tilted ring is on the floor: hub height - ring sin(lean) - corner
-    hub = made.path.tip[rows] + corner * made.path.axis[rows]
+    hub = outcome.path.tip[rows] + corner * outcome.path.axis[rows]
     assert lean.max() > 0.02 and hub[:, 2] - ring * np.sin(lean) - corner == pytest.approx(0.0, abs=2e-4)
 
 
@@ -227,7 +227,7 @@ def test_leaving_out_looks_at_the_hub_of_a_cutter_with_a_ring(cutter):
     beside the floor."""
     options = {"cutter": cutter, "direction": 90, "stepover": 8}
     before, after = (
-        job.prove(made_of(step(6.0), gouge=gouge, **options)) for gouge in ("report", "leave-out")
+        job.prove(result_of(step(6.0), gouge=gouge, **options)) for gouge in ("report", "leave-out")
     )
     assert "overcut" in codes(before) and "left-out" in codes(after) and "overcut" not in codes(after)
     assert len(rows_on(after.draft, -25.0, -3.5)) >= 2  # the floor away from the wall is still cut
@@ -237,7 +237,7 @@ def test_leaving_out_looks_at_the_hub_of_a_cutter_with_a_ring(cutter):
 def test_with_divided_blocks_no_more_than_the_tolerance_is_left_on_the_real_way(parts, diameter, cure):
     options = {"tool_axis": "facet_mean", "cutter": f"ball:{diameter}", "stepover": 4, "max_axis_angle": 85}
     mesh = read_stl(str(parts / "freeform_233.stl"))
-    result = job.prove(made_of(mesh, gouge=cure, **options))
+    result = job.prove(result_of(mesh, gouge=cure, **options))
     assert {"lift": "lifted", "leave-out": "left-out"}[cure] in codes(result) and "overcut" not in codes(
         result
     )
@@ -263,12 +263,12 @@ def everywhere(gouge):
     """The floor beside a wall, under a holder as wide as the part that begins below the wall's top."""
     mesh = step(WALL)
     floor = (mesh.normal[:, 2] > 0.9) & (mesh.vertex[mesh.face][:, :, 2].max(axis=1) < 1.0)
-    return made_of(mesh, floor, cutter="ball:6:4", holder="200x30", gouge=gouge, stepover=15, max_tilt=5)
+    return result_of(mesh, floor, cutter="ball:6:4", holder="200x30", gouge=gouge, stepover=15, max_tilt=5)
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("gouge", ["report", "lift", "tilt"])
-def test_a_holder_that_collides_everywhere_is_told(gouge):
+def test_a_holder_that_collides_everywhere_is_reported(gouge):
     result = job.prove(everywhere(gouge))
     assert "holder-collision" in codes(result)
     assert ("not-freed" in codes(result)) == (gouge == "tilt")
@@ -283,7 +283,7 @@ def test_leaving_out_everything_is_an_error_that_says_so():
 def test_a_cutter_larger_than_the_part_ends_with_a_path_or_an_error(gouge):
     mesh = bowl(8.0, 10, side=20.0)
     try:
-        result = job.prove(made_of(mesh, cutter="ball:100", gouge=gouge, stepover=4))
+        result = job.prove(result_of(mesh, cutter="ball:100", gouge=gouge, stepover=4))
     except SettingsError as error:
         assert gouge == "leave-out" and "leaves nothing" in str(error)
     else:
@@ -298,9 +298,11 @@ def test_open_meshes_and_facets_that_look_inward_end_with_a_finding_or_an_error(
     mesh = step(WALL)
     turned = from_faces(mesh.vertex, mesh.face[:, ::-1])
     opened = from_faces(mesh.vertex, mesh.face[1:])
-    assert {"holder-collision", "tilted", "left-out"} & codes(job.prove(made_of(opened, gouge=gouge, **LONG)))
+    assert {"holder-collision", "tilted", "left-out"} & codes(
+        job.prove(result_of(opened, gouge=gouge, **LONG))
+    )
     try:
-        result = job.prove(made_of(turned, gouge=gouge, **LONG))
+        result = job.prove(result_of(turned, gouge=gouge, **LONG))
     except SettingsError as error:
         assert str(error)
     else:

@@ -82,7 +82,7 @@ def guided_way(machine, words, origin):
 
 @pytest.mark.thorough
 @some_in_core("name", (*MACHINES, "between", "skew"))
-def test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_told(name):
+def test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_reported(name):
     rng, plain, setup = np.random.default_rng(7), _machine(name), Setup(ORIGIN, LENGTH)
     hit = missed = 0
     for _ in range(24):
@@ -98,9 +98,9 @@ def test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_told(n
             if one.code == "machine-collision" and one.hit.enters != "nose"
         ]
         sampled = dense(machine, words, body, way=guided_way(machine, words, ORIGIN))
-        told = found[0].value if found else 0.0
-        assert told >= 0.98 * sampled - 0.15, (carrier, told, sampled)
-        assert told <= sampled + 1.5, (carrier, told, sampled)
+        reported = found[0].value if found else 0.0
+        assert reported >= 0.98 * sampled - 0.15, (carrier, reported, sampled)
+        assert reported <= sampled + 1.5, (carrier, reported, sampled)
         hit += bool(found)
         missed += not found
     assert hit > 1 and missed > 3
@@ -109,7 +109,7 @@ def test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_told(n
 def test_a_way_in_step_where_it_is_guided_would_be_noticed(monkeypatch):
     monkeypatch.setattr(machine_check, "lay_way", lambda kinematics, program, tolerance: _in_step(program))
     with pytest.raises(AssertionError):
-        test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_told("trunnion_ac")
+        test_dense_samples_of_the_guided_way_find_nothing_deeper_than_what_is_reported("trunnion_ac")
 
 
 def _in_step(program):
@@ -125,20 +125,22 @@ def test_what_linear_axes_carry_is_off_by_no_more_than_the_bound(name):
     worst = 0.0
     for _ in range(6):
         words = np.concatenate([rng.uniform(-60, 60, (2, 3)), rng.uniform(-50, 50, (2, 2))], axis=1)
-        laid = lay_way(kinematics, guided(machine, words, Setup(ORIGIN, LENGTH)), 4.0)
+        passes = lay_way(kinematics, guided(machine, words, Setup(ORIGIN, LENGTH)), 4.0)
         assert (
-            not laid.undecided.any() and laid.off <= SHARE * 4.0 and (laid.begin == np.sort(laid.begin)).all()
+            not passes.undecided.any()
+            and passes.off <= SHARE * 4.0
+            and (passes.begin == np.sort(passes.begin)).all()
         )
         way = guided_way(machine, words, ORIGIN)
-        for piece in range(0, len(laid.block), max(1, len(laid.block) // 6)):
+        for piece in range(0, len(passes.block), max(1, len(passes.block) // 6)):
             for u in (0.25, 0.5, 0.75):
-                start, end = laid.in_step.words[piece], laid.in_step.words[piece + 1]
-                off = way(laid.begin[piece] + u * laid.width[piece]) - (start + u * (end - start))
+                start, end = passes.in_step.words[piece], passes.in_step.words[piece + 1]
+                off = way(passes.begin[piece] + u * passes.width[piece]) - (start + u * (end - start))
                 assert np.abs(off[3:]).max() < 1e-9
                 for some in ((1, 1, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
                     moved = np.linalg.norm((off[:3] * some) @ kinematics.direction[:3])
                     worst = max(worst, moved)
-                    assert moved <= laid.off + 1e-9
+                    assert moved <= passes.off + 1e-9
     assert worst > 0.02 * SHARE * 4.0
 
 
@@ -218,10 +220,10 @@ def of_ram(found):
 def test_a_post_in_the_circle_is_hit_in_step_alone_and_one_on_it_where_the_tip_is_guided():
     machine = ram_and(MIDDLE)
     words = half_turn(machine, *STILL)
-    told, in_step = both_ways(machine, words)
-    assert not told and collides(in_step)
-    told, in_step = both_ways(ram_and(beside(-10.0)), words)
-    assert collides(told) and not in_step
+    reported, in_step = both_ways(machine, words)
+    assert not reported and collides(in_step)
+    reported, in_step = both_ways(ram_and(beside(-10.0)), words)
+    assert collides(reported) and not in_step
 
 
 @pytest.mark.parametrize(("off", "hits"), [(0.002, False), (0.02, False), (-0.05, True), (-1.0, True)])
@@ -241,13 +243,13 @@ def test_a_post_just_outside_the_circle_is_missed_and_hit_as_geometry_gives(off,
 
 def test_pieces_that_are_too_long_or_an_off_that_is_forgotten_would_be_noticed(monkeypatch):
     monkeypatch.setattr(machine_way, "SHARE", 1000.0)
-    laid = machine_way.lay_way
-    monkeypatch.setattr(machine_check, "lay_way", lambda *given: laid(*given)._replace(off=0.0))
+    passes = machine_way.lay_way
+    monkeypatch.setattr(machine_check, "lay_way", lambda *given: passes(*given)._replace(off=0.0))
     with pytest.raises(AssertionError):
         test_a_post_just_outside_the_circle_is_missed_and_hit_as_geometry_gives(-1.0, True, "Z")
 
 
-def test_the_block_is_told_that_hits_among_others():
+def test_the_block_is_reported_that_hits_among_others():
     """A block that turns nothing is one piece; one that turns the other way hits as well, but is not the
     deepest."""
     machine = ram_and(beside(-10.0))
@@ -272,7 +274,7 @@ def test_of_blocks_of_which_only_some_are_guided_each_goes_its_own_way():
         assert (one.code, one.block) == ("machine-collision", block) and "of 1 blocks" in one.text
 
 
-def test_what_comes_nearer_than_the_clearance_is_told_with_the_distance():
+def test_what_comes_nearer_than_the_clearance_is_reported_with_the_distance():
     for carrier in ("Z", "spindle"):
         machine = ram_and(beside(3.0), carrier)
         (one,) = checked(machine, guided(machine, half_turn(machine, *STILL)), clearance=5.0)
@@ -282,14 +284,22 @@ def test_what_comes_nearer_than_the_clearance_is_told_with_the_distance():
 # ------------------------------------------------------------------------------------- what is not decided
 
 
-def test_of_vectors_it_is_said_what_is_taken_for_granted_and_ends_alone_where_no_division_helps(monkeypatch):
+def test_of_vectors_it_is_stated_what_is_taken_for_granted_and_ends_alone_where_no_division_helps(
+    monkeypatch,
+):
     machine = ram_and(MIDDLE)
     words = half_turn(machine, *STILL)
-    (said,) = checked(machine, guided(machine, words, vector=True))
-    assert said.code == "machine-unproven" and "vector" in said.text and said.severity is Severity.NOTE
+    (message,) = checked(machine, guided(machine, words, vector=True))
+    assert (
+        message.code == "machine-unproven" and "vector" in message.text and message.severity is Severity.NOTE
+    )
     monkeypatch.setattr(machine_way, "MOST_PARTS", 4)
-    (said,) = checked(machine, guided(machine, words))
-    assert said.code == "machine-unproven" and (said.block, said.line) == (1, 2) and "1 blocks" in said.text
+    (message,) = checked(machine, guided(machine, words))
+    assert (
+        message.code == "machine-unproven"
+        and (message.block, message.line) == (1, 2)
+        and "1 blocks" in message.text
+    )
     monkeypatch.setattr(machine_way, "MOST_PARTS", 8192)
     monkeypatch.setattr(machine_way, "MOST_ROWS", 3)
     assert codes(checked(machine, guided(machine, words))) == ["machine-unproven"]
@@ -355,13 +365,13 @@ def test_a_guided_program_is_milled_on_machines_with_bodies_and_audited_alike(
         "--controller",
         "fanuc",
     ]
-    made = [*["--passes", "planes", "--stepover", "8", "--tool-axis", "facet_mean", "--max-axis-angle", "91", "--spindle", "off"],
+    result = [*["--passes", "planes", "--stepover", "8", "--tool-axis", "facet_mean", "--max-axis-angle", "91", "--spindle", "off"],
             *["--gouge", "off", "--linearize", "off", "--rtcp", "angles", "--tool", "1"]]  # fmt: skip
     nc, report = tmp_path / "p.nc", tmp_path / "r.json"
     found, again = (
-        _said_of_machine(cli.main([*task, *given, "--report", str(report)]), report)
+        _machine_notes(cli.main([*task, *given, "--report", str(report)]), report)
         for task in (
-            ["mill", str(tmp_path / "part.stl"), *made, "-o", str(nc)],
+            ["mill", str(tmp_path / "part.stl"), *result, "-o", str(nc)],
             ["audit", str(nc)],
         )
     )
@@ -369,7 +379,7 @@ def test_a_guided_program_is_milled_on_machines_with_bodies_and_audited_alike(
     assert {code for code, *_ in (*found, *again)} <= {"machine-collision"} and again <= found
 
 
-def _said_of_machine(code, report):
+def _machine_notes(code, report):
     """Codes, lines and what enters what, of what a command says of the machine."""
     assert code in (0, 1)
     return {

@@ -83,14 +83,14 @@ def test_every_report_names_the_hollow(tmp_path, capsys):
     write_stl(from_triangles(with_void()), path)
     words = ["reach", str(path), "--machine", "trunnion_ac", "--cutter", "ball:6:15"]
     assert cli.main([*words, *(word for one in report for word in ("--report", str(one)))]) == cli.DONE
-    said, summary = capsys.readouterr().out, json.loads(report[0].read_text())["summary"]
-    assert "in a closed hollow" in said and "in a closed hollow" in report[1].read_text()
+    message, summary = capsys.readouterr().out, json.loads(report[0].read_text())["summary"]
+    assert "in a closed hollow" in message and "in a closed hollow" in report[1].read_text()
     assert summary["by_reason"]["closed_hollow"] == pytest.approx(3600.0)
     assert summary["reachable_area"] <= 14800.0 + 1e-6
     assert summary["reachable_area"] + sum(summary["by_reason"].values()) == pytest.approx(summary["area"])
 
 
-def test_passes_without_a_way_out_are_told_apart_and_name_a_holder_only_where_there_is_one():
+def test_passes_without_a_way_out_are_distinguished_and_name_a_holder_only_where_there_is_one():
     """Ten rows 1 mm apart on facet 0, which is outside, and five on one of the void; the first two stay."""
     mesh = from_triangles(with_void())
     face = np.repeat([0, int(np.flatnonzero(find_hollow_facets(mesh))[0])], [10, 5])

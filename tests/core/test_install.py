@@ -69,7 +69,7 @@ def test_it_links_into_the_folder_that_freecad_names(home):
     assert [path.name for path in home.iterdir()] == ["somewhere"]
 
 
-def test_it_links_for_freecads_that_cannot_be_asked(home):
+def test_it_links_for_freecads_that_cannot_be_requested(home):
     folders = [home / ".local/share/FreeCAD/v1-1", home / ".var/app/org.freecad.FreeCAD/data/FreeCAD"]
     for folder in folders:
         folder.mkdir(parents=True)

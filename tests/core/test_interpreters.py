@@ -47,9 +47,9 @@ LAYOUTS = {
 def test_the_python_that_belongs_to_freecad_is_found(name, tmp_path):
     home, system, executables, prefix, files, expected = LAYOUTS[name]
     for file in files:
-        made = tmp_path / file
-        made.parent.mkdir(parents=True, exist_ok=True)
-        made.touch(mode=0o755)
+        result = tmp_path / file
+        result.parent.mkdir(parents=True, exist_ok=True)
+        result.touch(mode=0o755)
     home, prefix = (str(tmp_path / one) if one else "" for one in (home, prefix))
     around = Around(
         home, "", system, tuple(str(tmp_path / one) if one else "" for one in executables), (prefix,), (3, 11)
@@ -73,7 +73,7 @@ def forgetful(monkeypatch):
     monkeypatch.setattr(interpreters, "_proven", {})
 
 
-def test_a_python_that_computes_with_our_versions_is_taken_and_asked_once(tmp_path, monkeypatch):
+def test_a_python_that_computes_with_our_versions_is_taken_and_requested_once(tmp_path, monkeypatch):
     around = around_here(sys.executable)
     assert find_worker(around, str(tmp_path)).words[:2] == (
         sys.executable,
@@ -89,7 +89,7 @@ def test_one_with_other_versions_is_not(tmp_path, monkeypatch):
     assert find_worker(around, str(tmp_path)) is None and interpreters.has_no_worker(around)
 
 
-def test_where_there_is_no_python_freecad_without_a_window_is_asked(tmp_path, monkeypatch):
+def test_where_there_is_no_python_freecad_without_a_window_is_requested(tmp_path, monkeypatch):
     """By a file, for FreeCAD takes no code."""
     around = around_here(without_window=sys.executable)
     command = find_worker(around, str(tmp_path))

@@ -74,8 +74,8 @@ def test_thin_jaws_reach_higher_than_thick_ones_under_a_holder_that_leans_over_t
     lowest = 3.0 + 12.0 * np.cos(np.radians(50.0)) - 20.0 * np.sin(np.radians(50.0))
     for side in ("-X", "+X"):
         assert tops(thick)[side] == pytest.approx(lowest, abs=0.15) and tops(thin)[side] == pytest.approx(0.0)
-    said = next(one.text for one in thin.findings if one.code == "jaws-free")
-    assert "Jaws 5 mm thick" in said and "sticks out 15 mm" in said
+    message = next(one.text for one in thin.findings if one.code == "jaws-free")
+    assert "Jaws 5 mm thick" in message and "sticks out 15 mm" in message
 
 
 @pytest.mark.parametrize("wrong", ["0", "-3", "20000", "thick"])
@@ -84,32 +84,34 @@ def test_a_thickness_that_cannot_be_is_refused_by_name(wrong):
         build_settings("setup", "p.stl", GIVEN | {"jaw_thickness": wrong})
 
 
-def test_a_fixture_that_is_hit_is_told_and_one_that_is_free_is_not(tmp_path):
+def test_a_fixture_that_is_hit_is_reported_and_one_that_is_free_is_not(tmp_path):
     free = charted(tmp_path)
     assert free.clamping.hits == () and "jaws-free" in [one.code for one in free.findings]
     hit = charted(tmp_path, fixture=(vise(tmp_path, (-5, -5, 1), (5, 5, 20), "on.stl"),), gouge="off")
-    told = [one for one in hit.findings if one.code == "fixture-collision"]
-    assert bool(told) and "+X: Z -6 mm" in next(one.text for one in hit.findings if one.code == "jaws-free")
+    reported = [one for one in hit.findings if one.code == "fixture-collision"]
+    assert bool(reported) and "+X: Z -6 mm" in next(
+        one.text for one in hit.findings if one.code == "jaws-free"
+    )
 
 
-def test_what_is_hit_of_a_fixture_is_told_of_a_cl_file_too_and_no_jaws_or_stick_out_are(tmp_path):
+def test_what_is_hit_of_a_fixture_is_reported_of_a_cl_file_too_and_no_jaws_or_stick_out_are(tmp_path):
     """Nobody knows the part there: a jaw beside it, or the holder over it, would be a guess."""
     plain = {name: value for name, value in GIVEN.items() if name != "origin"}
-    made = job.make(build_settings("mill", "p.stl", plain | {"spindle": "off"}), mesh=stepped())
-    cutter = made.settings.cutter.cutter
-    (tmp_path / "x.apt").write_bytes(write_apt(made.path, cutter, "part"))
+    draft = job.make(build_settings("mill", "p.stl", plain | {"spindle": "off"}), mesh=stepped())
+    cutter = draft.settings.cutter.cutter
+    (tmp_path / "x.apt").write_bytes(write_apt(draft.path, cutter, "part"))
     given = {
         "machine": "trunnion_ac",
         "holder": "40x30",
         "fixture": (vise(tmp_path, (-5, -5, -9), (5, 5, 5), "in.stl"),),
     }
     chart = try_setups(build_settings("setup", str(tmp_path / "x.apt"), given | MAP)).chart
-    told = {one.code for one in chart.findings}
-    assert "fixture-collision" in told and chart.clamping.jaws == () and chart.stick_out is None
-    assert not told & {"jaws-free", "stick-out-enough", "stick-out-too-short"}
+    reported = {one.code for one in chart.findings}
+    assert "fixture-collision" in reported and chart.clamping.jaws == () and chart.stick_out is None
+    assert not reported & {"jaws-free", "stick-out-enough", "stick-out-too-short"}
 
 
-def test_without_a_fixture_nothing_is_told(tmp_path):
+def test_without_a_fixture_nothing_is_reported(tmp_path):
     chart = charted(tmp_path, fixture=())
     assert chart.clamping is None and "jaws-free" not in [one.code for one in chart.findings]
 
@@ -117,14 +119,14 @@ def test_without_a_fixture_nothing_is_told(tmp_path):
 def ball_in_jaw(chart, top, side, **more):
     """How deep the ball of 6 mm of the program that ``mill`` makes goes into a jaw at most, by samples."""
     origin = tuple(chart.origin[chart.best].tolist())
-    made = job.make(
+    draft = job.make(
         build_settings("mill", "p.stl", GIVEN | {"origin": origin, "spindle": "off"} | more), mesh=stepped()
     )
     _, axis, out = next(one for one in jaws.SIDES if one[0] == side)
     low, high = jaws.jaw_corners(stepped().box, axis, out, chart.clamping.thick, top)
     share = np.linspace(0.0, 1.0, 40, endpoint=False)[:, None, None]
-    words = ((1.0 - share) * made.program.words[:-1] + share * made.program.words[1:]).reshape(-1, 5)
-    tip, lean = forward(made.kinematics, words_to_q(words))
+    words = ((1.0 - share) * draft.program.words[:-1] + share * draft.program.words[1:]).reshape(-1, 5)
+    tip, lean = forward(draft.kinematics, words_to_q(words))
     centre = tip + 3.0 * lean
     return float((3.0 - np.linalg.norm(centre - np.clip(centre, low, high), axis=1)).max())
 

@@ -208,7 +208,7 @@ def test_along_cuts_at_the_pole_the_first_axis_turns_evenly():
     assert abs(turns.sum()) == pytest.approx(math.pi) and np.abs(np.delete(turns, pole[:-1])).max() < 1e-9
 
 
-def test_the_turn_at_the_pole_is_made_on_a_rapid_where_there_is_one():
+def test_the_turn_at_the_pole_is_built_on_a_rapid_where_there_is_one():
     up = path_of([[0, 0, 60.0], [30, 0, 60.0]], [[0, 0, 1.0]] * 2, [Motion.RAPID] * 2)
     path = joined(meridian([-9, -5, 0]), up, meridian([0, 5, 9], azimuth=1.3))
     joints = solve(path, kinematics_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
@@ -216,7 +216,7 @@ def test_the_turn_at_the_pole_is_made_on_a_rapid_where_there_is_one():
     assert len(turning) and (joints.path.motion[turning] == Motion.RAPID).all()
 
 
-def test_the_turn_at_the_pole_is_made_on_the_longest_cut_rather_than_on_a_link():
+def test_the_turn_at_the_pole_is_built_on_the_longest_cut_rather_than_on_a_link():
     """Without a rapid between two cuts: the links there are 60 mm long, the longest cut at the pole 3 mm."""
     first, second = meridian([-9, -5, 0]), meridian([0, 5, 9], azimuth=1.3, tip_step=3.0)
     path = joined(first, second)
@@ -230,7 +230,7 @@ def test_the_turn_at_the_pole_is_made_on_the_longest_cut_rather_than_on_a_link()
     assert joints.path.tip[turning[0]] == pytest.approx((3.0, 0.0, 0.0), abs=1e-9)
 
 
-def test_a_turn_at_the_pole_that_no_cut_could_make_is_made_on_the_rapid():
+def test_a_turn_at_the_pole_that_no_cut_could_make_is_built_on_the_rapid():
     """C from 160 deg to -160 deg, the short way barred by the limits: 320 deg, but never on a cut or a
     link."""
     up = path_of([[0, 0, 60.0], [30, 0, 60.0]], [[0, 0, 1.0]] * 2, [Motion.RAPID] * 2)
@@ -294,7 +294,7 @@ def test_five_turns_within_limits_rewind_as_seldom_as_possible(limit, rewinds):
     assert np.abs(np.diff(joints.q[:, 3]))[cutting].max() <= math.radians(5.0) + 1e-9
 
 
-def told(joints, code):
+def list_reported(joints, code):
     return [one for one in joints.findings if one.code == code]
 
 
@@ -310,7 +310,7 @@ def test_a_cut_that_turns_farther_than_the_limits_are_wide_says_how_far(second, 
         kinematics_of("head_b_table_c", (-200, 200), second),
     )
     joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
-    (one,) = told(joints, "rewind")
+    (one,) = list_reported(joints, "rewind")
     assert "takes 410.0 and has 400.0 deg: wider limits" in one.text and joints.rewinds == 1
 
 
@@ -319,7 +319,7 @@ def test_a_cut_that_fits_begins_on_the_turn_that_fits_and_else_says_that_it_only
     kinematics, fitting = kinematics_of("head_b_table_c", **ONE_SIDE), 0
     for start in np.radians(np.arange(0.0, 360.0, 8.0)):
         joints = solve(circling(367.0 / 360.0, start=start), kinematics, LOW, HIGH, CLEARANCE)
-        turned = [one.text for one in told(joints, "rewind")]
+        turned = [one.text for one in list_reported(joints, "rewind")]
         assert all("takes 367.0 and has 400.0 deg, but begins where" in text for text in turned)
         assert np.abs(joints.q[:, 3]).max() <= math.radians(200.0) and len(turned) == joints.rewinds <= 1
         fitting += not turned
@@ -345,26 +345,26 @@ def test_an_axis_rather_turns_back_between_two_cuts_than_inside_one(monkeypatch)
     link."""
     path, kinematics = arcs(6, -170.0), kinematics_of("head_b_table_c", **ONE_SIDE)
     joints = solve(path, kinematics, LOW, HIGH, CLEARANCE)
-    assert joints.rewinds == 1 and not inside(joints, path) and not told(joints, "rewind")
-    (one,) = told(joints, "rewinds-between-cuts")
+    assert joints.rewinds == 1 and not inside(joints, path) and not list_reported(joints, "rewind")
+    (one,) = list_reported(joints, "rewinds-between-cuts")
     assert one.value == 1.0 and one.severity == Severity.NOTE and one.block is not None
     monkeypatch.setattr(plan, "BETWEEN", 1.0)
     before = solve(path, kinematics, LOW, HIGH, CLEARANCE)
-    assert before.rewinds == 1 and inside(before, path) == 1 and told(before, "rewind")
+    assert before.rewinds == 1 and inside(before, path) == 1 and list_reported(before, "rewind")
 
 
 def test_a_way_without_a_break_is_not_chosen_anew(monkeypatch):
-    asked, choose = [], plan.choose
+    wanted, choose = [], plan.choose
 
     def spied(*given):
-        asked.append(given)
+        wanted.append(given)
         return choose(*given)
 
     monkeypatch.setattr(plan, "choose", spied)
     solve(circling(1.0), kinematics_of("head_b_table_c"), LOW, HIGH, CLEARANCE)
-    assert len(asked) == 1
+    assert len(wanted) == 1
     solve(circling(1.5), kinematics_of("head_b_table_c", first=(-180.0, 180.0)), LOW, HIGH, CLEARANCE)
-    assert len(asked) == 3
+    assert len(wanted) == 3
 
 
 def test_a_rewind_leaves_along_the_axis_and_comes_back_to_the_same_place():

@@ -43,8 +43,8 @@ def milled(mesh, **options):
     return job.make(build_settings("mill", "part", {**OPTIONS, **options}), mesh=mesh)
 
 
-def note(made):
-    return [one for one in made.findings if one.code == "lead-in-smaller"]
+def note(result):
+    return [one for one in result.findings if one.code == "lead-in-smaller"]
 
 
 def contacts(path):
@@ -62,10 +62,10 @@ def runs_to(path, row, way, count):
 @pytest.mark.parametrize("control_point", ["tip", "centre"])
 @pytest.mark.parametrize("cutter", ["ball:8:40", "bull:10:2:40"])
 def test_on_a_plate_the_arcs_are_quarter_circles_tangent_to_it(cutter, control_point):
-    made = milled(plate(), **PLATE, cutter=cutter, control_point=control_point, lead_in=R)
-    path, tolerance = made.path, made.settings.proof.tolerance
+    result = milled(plate(), **PLATE, cutter=cutter, control_point=control_point, lead_in=R)
+    path, tolerance = result.path, result.settings.proof.tolerance
     chords = int(np.ceil(0.25 * np.pi / np.arccos(1.0 - tolerance / R)))
-    assert chords > 5 and not note(made)
+    assert chords > 5 and not note(result)
     first, last = contacts(path)
     assert len(first) == len(last) > 5
     for rows, way in ((first, -1), (last, 1)):
@@ -112,8 +112,8 @@ def test_the_approach_is_along_the_axis_and_all_rows_of_arcs_are_links():
 
 
 def test_what_is_cut_and_what_is_left_stay_as_they_were():
-    made = [milled(plate(), **PLATE, rest="on", lead_in=value) for value in (0.0, R)]
-    figures = [job.figures(job.prove(one)) for one in made]
+    result = [milled(plate(), **PLATE, rest="on", lead_in=value) for value in (0.0, R)]
+    figures = [job.figures(job.prove(one)) for one in result]
     numbers = [summary(one) for one in figures]
     assert numbers[1]["cut_length"] == pytest.approx(numbers[0]["cut_length"], rel=1e-9)
     assert numbers[1]["link_length"] > numbers[0]["link_length"]
@@ -135,20 +135,20 @@ WALLED = {
 }
 
 
-def deepest(made):
+def deepest(result):
     """How deep the cutter goes on any feed block, mm, by the judge."""
-    blocks = np.flatnonzero(made.program.motion[1:] != Motion.RAPID)
+    blocks = np.flatnonzero(result.program.motion[1:] != Motion.RAPID)
     return gouge_judge.judged(
-        made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks
+        result.mesh, result.settings.cutter.cutter, result.kinematics, result.program.words, blocks
     ).worst
 
 
 @pytest.mark.thorough
 @some_in_core("part, links", [*itertools.product(WALLED, ["near", "over"])], kept=(1, 2, 4, 5))
 def test_the_judge_finds_nothing_beside_walls(part, links):
-    made = milled(WALLED[part](), lead_in=R, links=links, stepover=2.0)
-    assert deepest(made) <= made.settings.proof.tolerance
-    codes = {finding.code for finding in job.prove(made).findings}
+    result = milled(WALLED[part](), lead_in=R, links=links, stepover=2.0)
+    assert deepest(result) <= result.settings.proof.tolerance
+    codes = {finding.code for finding in job.prove(result).findings}
     assert not codes & {"overcut", "rapid-collision", "holder-collision"}
 
 
@@ -183,7 +183,7 @@ def floor_line(y, x=(-10.0, 10.0)):
     return np.array([[x[0], y, 0.0], [x[1], y, 0.0]])
 
 
-def led(path, radius=R, mesh=None, table=None, tolerance=0.01):
+def correct_axes(path, radius=R, mesh=None, table=None, tolerance=0.01):
     body = body_of(CUTTER)
     return lead_in(
         path, facet_tree(mesh or prism(FLOOR)), body, LeadOptions(radius, tolerance, 0.005, table, 0.0, 4.0)
@@ -194,13 +194,15 @@ def led(path, radius=R, mesh=None, table=None, tolerance=0.01):
 def test_towards_a_wall_the_radius_is_halved_up_to_two_times_and_counted(room, radius):
     """A pass that ends with ``room`` mm between the ball and the wall, and begins far from it."""
     path = by_hand(np.array([[0.0, -20.0, 0.0], [0.0, -4.0 - room, 0.0]]))
-    made = led(path)
-    first, last = contacts(made)
-    assert np.abs(made.tip[: first[0], 1] - made.tip[first[0], 1]).max() == pytest.approx(R)
-    assert np.abs(made.tip[last[0] + 1 :, 1] - made.tip[last[0], 1]).max() == pytest.approx(radius, abs=1e-9)
-    told = [(one.code, one.value) for one in made.findings]
-    assert told == ([] if radius == R else [("lead-in-smaller", 1.0)])
-    assert not told or made.findings[0].text.startswith(
+    result = correct_axes(path)
+    first, last = contacts(result)
+    assert np.abs(result.tip[: first[0], 1] - result.tip[first[0], 1]).max() == pytest.approx(R)
+    assert np.abs(result.tip[last[0] + 1 :, 1] - result.tip[last[0], 1]).max() == pytest.approx(
+        radius, abs=1e-9
+    )
+    reported = [(one.code, one.value) for one in result.findings]
+    assert reported == ([] if radius == R else [("lead-in-smaller", 1.0)])
+    assert not reported or result.findings[0].text.startswith(
         "1 of 2 ends of passes has a smaller lead-in or lead-out than 4 mm"
     )
 
@@ -210,8 +212,8 @@ def test_a_path_without_a_single_free_end_stays_as_it_is_but_for_the_note():
         np.array([[0.0, -4.1, 0.0], [0.0, -4.2, 0.0]])[::-1], np.array([[0.0, -4.2, 0.0], [0.0, -4.1, 0.0]])
     )
     walls = prism([(-9, -10), (9, -10), (9, 30), (0, 30), (0, 0), (-8.3, 0), (-8.3, 30), (-9, 30)])
-    made = led(path, mesh=walls)
-    assert np.array_equal(made.tip, path.tip) and [one.value for one in made.findings] == [4.0]
+    result = correct_axes(path, mesh=walls)
+    assert np.array_equal(result.tip, path.tip) and [one.value for one in result.findings] == [4.0]
 
 
 def test_below_the_table_no_arc_goes():
@@ -219,7 +221,8 @@ def test_below_the_table_no_arc_goes():
     level = np.array([0.0, -1.0, 0.0])
     path = by_hand(np.array([[0.0, 0.0, 6.0], [0.0, 0.0, 20.0]]), axis=level, normal=level)
     free, held = (
-        led(path, mesh=prism([(0, -10), (20, -10), (20, 30), (0, 30)]), table=table) for table in (-2.5, 1.0)
+        correct_axes(path, mesh=prism([(0, -10), (20, -10), (20, 30), (0, 30)]), table=table)
+        for table in (-2.5, 1.0)
     )
     assert free.tip[:, 2].min() == pytest.approx(2.0) and not free.findings
     assert held.tip[:, 2].min() == pytest.approx(5.0) and [one.value for one in held.findings] == [1.0]
@@ -228,10 +231,10 @@ def test_below_the_table_no_arc_goes():
 @pytest.mark.parametrize("height", [10.0, 1.0])
 def test_a_raised_near_link_goes_from_arc_to_arc(height):
     path = by_hand(floor_line(-12.0), floor_line(-20.0, (10.0, -10.0)), height=height, between=Motion.LINK)
-    made = led(path)
-    assert len(find_ends(path).row) == 4 and not made.findings
-    first, last = contacts(made)
-    between = made.tip[last[0] + 1 : first[1]]
+    result = correct_axes(path)
+    assert len(find_ends(path).row) == 4 and not result.findings
+    first, last = contacts(result)
+    between = result.tip[last[0] + 1 : first[1]]
     assert between[:, 2].max() == pytest.approx(max(height, R))
     top = between[np.isclose(between[:, 2], max(height, R))]
     assert np.allclose(top[:, 0], 10.0 + R) and np.allclose(np.unique(top[:, 1]), [-20.0, -12.0])
@@ -256,10 +259,10 @@ def test_a_radius_that_is_none_is_refused(given):
 
 
 @pytest.mark.parametrize(
-    ("task", "given", "said"),
+    ("task", "given", "message"),
     [("mill", "101", "at most 100 mm"), ("mill", "-1", "at least 0 mm"), ("post", "1", "lead-in")],
 )
-def test_the_command_line_refuses_it_in_one_line(task, given, said, tmp_path):
+def test_the_command_line_refuses_it_in_one_line(task, given, message, tmp_path):
     part = tmp_path / "part.stl"
     write_stl(step(), part)
     words = [
@@ -273,5 +276,5 @@ def test_the_command_line_refuses_it_in_one_line(task, given, said, tmp_path):
         f"--lead-in={given}",
     ]
     done = subprocess.run(words, capture_output=True, text=True, timeout=60)
-    assert done.returncode == 2 and said in done.stderr and given in done.stderr, done.stderr
+    assert done.returncode == 2 and message in done.stderr and given in done.stderr, done.stderr
     assert task == "post" or len(done.stderr.splitlines()) == 1

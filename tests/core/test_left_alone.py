@@ -55,9 +55,9 @@ def test_ways_over_the_strip_are_found_and_those_along_its_border_are_none():
     assert not len(lead_over_others(on_top[0][:0], on_top[1][:0], mesh, chosen))
 
 
-def touched(made, wide):
+def touched(result, wide):
     """How many of a hundred places a feed block the ball touches the strip at."""
-    path, share = made.path, np.linspace(0.0, 1.0, 101)[:, None, None]
+    path, share = result.path, np.linspace(0.0, 1.0, 101)[:, None, None]
     at = np.flatnonzero(path.motion[1:] != Motion.RAPID)
     tip = (path.tip[at] * (1.0 - share) + path.tip[at + 1] * share).reshape(-1, 3)
     assert (path.axis[:, 2] > 1.0 - 1e-9).all(), "the tip of an upright ball is what touches a level floor"
@@ -69,7 +69,7 @@ def touched(made, wide):
 def test_no_feed_block_touches_a_narrow_strip_that_is_left_alone(wide, monkeypatch):
     mesh, chosen = plate(wide)
     make = lambda: job.make(build_settings("mill", "part", OPTIONS), mesh=mesh, faces=chosen)  # noqa: E731
-    made = make()
-    assert touched(made, wide) == 0 and made.keep.sum() == 4
+    result = make()
+    assert touched(result, wide) == 0 and result.keep.sum() == 4
     monkeypatch.setattr(build_path, "lead_over_others", lambda begin, *_: np.zeros(len(begin), bool))
     assert (touched(make(), wide) > 0) == (wide < 2.0), "one narrower than the radius would be touched"

@@ -13,8 +13,10 @@ COMMAND = "import sys; from freecad_fiveaxis.core.cli import main; main(sys.argv
 
 def loaded(code, *words):
     """The modules that a fresh Python holds after ``code``, which may end it."""
-    told = f"import atexit, sys\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n{code}"
-    done = subprocess.run([sys.executable, "-c", told, *words], capture_output=True, text=True, timeout=60)
+    reported = f"import atexit, sys\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n{code}"
+    done = subprocess.run(
+        [sys.executable, "-c", reported, *words], capture_output=True, text=True, timeout=60
+    )
     assert done.returncode == 0 and done.stdout, done.stderr
     return done.stderr.split()
 

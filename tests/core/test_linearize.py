@@ -150,7 +150,7 @@ def longest_steps(kinematics, start, end, tolerance, steps, most=400):
     ("tolerance", "decimals", "most", "halving"),
     [(0.1, 4, 4, 4), (0.05, 4, 5, 7), (0.01, 4, 10, 16), (0.001, 4, 40, None), (0.001, 7, 31, 32)],
 )
-def test_table_2_takes_as_few_blocks_as_is_asked_and_all_are_proven(tolerance, decimals, most, halving):
+def test_table_2_takes_as_few_blocks_as_is_requested_and_all_are_proven(tolerance, decimals, most, halving):
     kinematics, start, end = mikron_links(), TABLE_2[:1], TABLE_2[1:]
     words, row, findings = linearize_words(kinematics, TABLE_2, (decimals, decimals), tolerance)
     assert len(words) - 1 <= most
@@ -345,7 +345,7 @@ def test_words_that_are_no_numbers_are_refused():
 
 
 @pytest.mark.parametrize(("tolerance", "decimals"), [(1e-5, 4), (1e-6, 4), (0.001, 2)])
-def test_a_tolerance_below_the_rounding_is_said_with_its_place_and_comes_to_an_end(tolerance, decimals):
+def test_a_tolerance_below_the_rounding_is_stated_with_its_place_and_comes_to_an_end(tolerance, decimals):
     kinematics, words = mikron_links(), np.round(TABLE_2, decimals)
     found, _, findings = linearize_words(kinematics, words, (decimals, decimals), tolerance)
     finding = next(f for f in findings if f.code == "linearize-rounding")
@@ -359,7 +359,7 @@ def test_a_tolerance_below_the_rounding_is_said_with_its_place_and_comes_to_an_e
     assert len(found) < 2000
 
 
-def test_linear_axes_that_turn_into_one_plane_are_said_and_the_block_is_left_whole():
+def test_linear_axes_that_turn_into_one_plane_are_stated_and_the_block_is_left_whole():
     kinematics = kinematics_of("linear_axes_everywhere")
     words = np.array([[10.0, 20.0, 0.0, 60.0, 10.0], [30.0, -10.0, 5.0, 120.0, 20.0]])
     found, _, findings = linearize_words(kinematics, words, (4, 4), 0.01)
@@ -461,7 +461,7 @@ def test_a_path_within_tolerance_keeps_its_rows():
     assert same.findings == joints.findings
 
 
-def test_limits_that_only_inserted_rows_break_are_said():
+def test_limits_that_only_inserted_rows_break_are_stated():
     kinematics, words = trunnion_block((0.0, 60.0), (170.0, 60.0), (3.0, 1.0, 0.0))
     found, _, findings = linearize_words(kinematics, words, (4, 4), 0.01)
     assert found[:, 4].min() < 10.0  # the great arc passes near the pole

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.motion.program import block_findings, build_program
 from freecad_fiveaxis.core.motion.program.feeds import STILL, least_minutes
 from freecad_fiveaxis.core.motion.singularity import in_cone
 from freecad_fiveaxis.core.nc.writer import write_nc
-from freecad_fiveaxis.core.pipeline import options as asked
+from freecad_fiveaxis.core.pipeline import options as wanted
 from freecad_fiveaxis.core.pipeline.safe_start import start_plane
 from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -54,13 +54,13 @@ def own_rows(divided, whole):
     return np.array(rows)
 
 
-def walks(made, samples, above=0.0):
+def walks(outcome, samples, above=0.0):
     """The points (m - 1, samples, 3) mm that stand ``above`` mm over the tip, of every block of a program, by
     plain forward kinematics."""
-    q = words_to_q(made.program.words)
+    q = words_to_q(outcome.program.words)
     u = np.linspace(0.0, 1.0, samples)[None, :, None]
     way = q[:-1, None] + u * np.diff(q, axis=0)[:, None]
-    tip, axis = forward(made.kinematics, way.reshape(-1, 5))
+    tip, axis = forward(outcome.kinematics, way.reshape(-1, 5))
     return (tip + above * axis).reshape(len(way), samples, 3)
 
 
@@ -84,18 +84,18 @@ def test_every_feed_block_is_proven_within_tolerance(part, machine, milled):
 def test_the_real_centre_stays_by_the_commanded_segments_of_the_undivided_path(part, machine, milled):
     """201 points of every block of the rounded words, against the segments of the ball's centre along the CL
     path."""
-    whole, made = milled(part, machine).draft.joints, milled(part, machine, linearize="on").draft
+    whole, outcome = milled(part, machine).draft.joints, milled(part, machine, linearize="on").draft
     end = np.searchsorted(
-        own_rows(made.joints, whole), made.program.row[1:]
+        own_rows(outcome.joints, whole), outcome.program.row[1:]
     )  # the undivided row that each block leads to
-    radius = made.settings.cutter.cutter.radius
+    radius = outcome.settings.cutter.cutter.radius
     centre = whole.path.tip + radius * whole.path.axis
     start = centre[end - 1][:, None]
     chord = centre[end][:, None] - start
-    way = walks(made, 201, radius) - start
+    way = walks(outcome, 201, radius) - start
     share = np.clip((way * chord).sum(2) / np.maximum((chord**2).sum(2), 1e-30), 0.0, 1.0)
     far = np.linalg.norm(way - share[:, :, None] * chord, axis=2).max(1)
-    assert far[made.program.motion[1:] != Motion.RAPID].max() <= 0.01
+    assert far[outcome.program.motion[1:] != Motion.RAPID].max() <= 0.01
 
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
@@ -134,9 +134,9 @@ def test_rapids_are_never_divided(part, machine, milled):
 @pytest.mark.parametrize("mode", ["g93", "g94"])
 def test_the_tip_keeps_the_programmed_feed_over_the_part_in_divided_blocks(mode, milled):
     """The length of a densely sampled path over the time by the F word, wherever no axis is at its limit."""
-    made = milled("saddle", "trunnion_ac", linearize="on", feed_mode=mode).draft
-    program, path = made.program, made.joints.path
-    points = walks(made, 129)
+    outcome = milled("saddle", "trunnion_ac", linearize="on", feed_mode=mode).draft
+    program, path = outcome.program, outcome.joints.path
+    points = walks(outcome, 129)
     length = np.linalg.norm(np.diff(points, axis=1), axis=2).sum(1)
     fed = program.motion[1:] != Motion.RAPID
     if mode == "g93":
@@ -147,14 +147,14 @@ def test_the_tip_keeps_the_programmed_feed_over_the_part_in_divided_blocks(mode,
         minutes = np.where(linear > 0.0, linear, np.linalg.norm(moved[:, 3:], axis=1)) / np.where(
             fed, program.feed[1:], 1.0
         )
-    least = least_minutes(made.kinematics.rate, np.diff(words_to_q(program.words), axis=0))
-    asked = path.feed[program.row[1:]]
-    free = fed & (length > 0.05) & (least < 0.99 * length / np.where(fed, asked, 1.0))
-    inserted = np.diff(made.joints.path.tip[program.row] @ np.ones(3)) != 0.0
+    least = least_minutes(outcome.kinematics.rate, np.diff(words_to_q(program.words), axis=0))
+    wanted = path.feed[program.row[1:]]
+    free = fed & (length > 0.05) & (least < 0.99 * length / np.where(fed, wanted, 1.0))
+    inserted = np.diff(outcome.joints.path.tip[program.row] @ np.ones(3)) != 0.0
     assert (free & inserted).sum() > 500
-    assert np.abs(length[free] / minutes[free] / asked[free] - 1.0).max() < 3e-3
+    assert np.abs(length[free] / minutes[free] / wanted[free] - 1.0).max() < 3e-3
     moving = fed & (length > 10.0 * STILL)
-    assert (length[moving] / minutes[moving] <= asked[moving] * 1.003).all()
+    assert (length[moving] / minutes[moving] <= wanted[moving] * 1.003).all()
     assert (minutes[fed] >= least[fed] * (1.0 - 1e-6)).all()
 
 
@@ -177,29 +177,33 @@ def test_linuxcnc_accepts_divided_programs(part, machine, mode, milled, tmp_path
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
-    made = milled(part, machine).draft
-    assert milled(part, machine, linearize="off", singularity="report").draft.nc == made.nc
-    settings = made.settings
+    outcome = milled(part, machine).draft
+    assert milled(part, machine, linearize="off", singularity="report").draft.nc == outcome.nc
+    settings = outcome.settings
     bare = solve(
-        made.path, made.kinematics, *made.mesh.box, settings.links.clearance, settings.cutter.cutter.radius
+        outcome.path,
+        outcome.kinematics,
+        *outcome.mesh.box,
+        settings.links.clearance,
+        settings.cutter.cutter.radius,
     )
-    program = build_program(bare, made.kinematics, made.dialect, True)
-    height, _ = start_plane(made.context(silent), program)
-    title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)
-    assert write_nc(program, made.dialect, title, options, height=height) == made.nc
-    assert milled(part, machine, linearize="on").draft.nc != made.nc
+    program = build_program(bare, outcome.kinematics, outcome.dialect, True)
+    height, _ = start_plane(outcome.context(silent), program)
+    title, options = wanted.nc_title(settings, outcome.machine), wanted.post_options(settings)
+    assert write_nc(program, outcome.dialect, title, options, height=height) == outcome.nc
+    assert milled(part, machine, linearize="on").draft.nc != outcome.nc
 
 
 @pytest.mark.parametrize("machine", ["trunnion_ac", "fork_head_bc"])
 def test_at_the_pole_only_blocks_that_pass_the_cone_are_divided(machine, milled):
     result, whole = milled("saddle", machine, singularity="linearize"), milled("saddle", machine).draft
-    made = result.draft
-    near = in_cone(made.kinematics, q_to_words(whole.joints.q), made.machine.singular_cone)
-    pieces = np.diff(own_rows(made.joints, whole.joints), prepend=-1)
+    outcome = result.draft
+    near = in_cone(outcome.kinematics, q_to_words(whole.joints.q), outcome.machine.singular_cone)
+    pieces = np.diff(own_rows(outcome.joints, whole.joints), prepend=-1)
     assert (pieces[~near] == 1).all()
     assert (pieces[near] > 1).any()
-    end = np.searchsorted(own_rows(made.joints, whole.joints), made.program.row)
-    fed = made.program.motion != Motion.RAPID
+    end = np.searchsorted(own_rows(outcome.joints, whole.joints), outcome.program.row)
+    fed = outcome.program.motion != Motion.RAPID
     assert result.surface.bound[fed & near[end]].max() <= 0.01
     assert result.surface.bound[fed & ~near[end]].max() > 0.1  # the rest is only reported
     both = milled("saddle", machine, singularity="linearize", linearize="on")
@@ -225,20 +229,24 @@ def test_what_rounding_makes_impossible_is_named_with_its_block_its_line_and_wha
 
 
 def test_findings_of_the_joint_path_come_to_their_blocks_and_lines(milled):
-    made = milled("saddle", "trunnion_ac", linearize="on").draft
-    row = int(made.program.row[100])
+    outcome = milled("saddle", "trunnion_ac", linearize="on").draft
+    row = int(outcome.program.row[100])
     joints = replace(
-        made.joints, q=np.insert(made.joints.q, row, made.joints.q[row], axis=0)[: len(made.joints.q)]
+        outcome.joints,
+        q=np.insert(outcome.joints.q, row, outcome.joints.q[row], axis=0)[: len(outcome.joints.q)],
     )
     program = build_program(
-        joints, made.kinematics, made.dialect, True
+        joints, outcome.kinematics, outcome.dialect, True
     )  # row + 1 has the words of row, and no block
     given = [Finding(Severity.NOTE, "x", "", block=at) for at in (row, row + 1, row + 2)] + [
         Finding(Severity.NOTE, "x", "")
     ]
-    told = block_findings(tuple(given), program)
-    assert [finding.block for finding in told] == [100, 100, 101, None]
-    assert [finding.line for finding in told] == [int(program.line[100])] * 2 + [int(program.line[101]), None]
+    reported = block_findings(tuple(given), program)
+    assert [finding.block for finding in reported] == [100, 100, 101, None]
+    assert [finding.line for finding in reported] == [int(program.line[100])] * 2 + [
+        int(program.line[101]),
+        None,
+    ]
 
 
 def run(*words):
@@ -295,7 +303,7 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     )
 
 
-def test_mill_and_post_divide_unless_asked_not_to_or_the_controller_guides_the_tip():
+def test_mill_and_post_divide_unless_requested_not_to_or_the_controller_guides_the_tip():
     for task in ("mill", "post"):
         flat = flat_options(build_settings(task, "x", {"machine": "trunnion_ac"}))
         assert (flat["linearize"], flat["singularity"]) == ("on", "report")

@@ -216,7 +216,7 @@ def test_a_cl_file_brings_it_back_with_its_neck(text):
         assert others == Cutter(cutter.diameter), "to whom the mark is text, it is a ball"
 
 
-def test_a_neck_thicker_than_the_cl_files_is_told():
+def test_a_neck_thicker_than_the_cl_files_is_reported():
     head = read_cl_file(cl_file(parse_cutter("lollipop:10:6")).decode()).head
     assert [one.code for one in cutter_note(head, Cutter(10.0))] == ["cutter-differs"]
     assert [one.code for one in cutter_note(head, parse_cutter("lollipop:10:7"))] == ["cutter-differs"]

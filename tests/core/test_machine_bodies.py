@@ -132,7 +132,7 @@ def carriers(machine):
 
 @pytest.mark.thorough
 @some_in_core("name", MACHINES)
-def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
+def test_dense_samples_find_nothing_deeper_than_what_is_reported(name):
     """Random boxes on each carrier and random blocks: with a straight way of the joints nothing is missed,
     and what is told is there."""
     rng, plain = np.random.default_rng(5), load_machine(name)
@@ -144,9 +144,9 @@ def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
         machine = replace(plain, bodies=(body, NOSE))
         words = np.concatenate([rng.uniform(-30, 30, (2, 3)), rng.uniform(-60, 60, (2, 2))], axis=1)
         found = [one for one in checked(machine, words, 0.05) if one.code == "machine-collision"]
-        sampled, told = dense(machine, words, body), found[0].value if found else 0.0
-        assert told >= 0.98 * sampled - 0.15, (carrier, told, sampled)
-        assert told <= sampled + 1.5, (carrier, told, sampled)
+        sampled, reported = dense(machine, words, body), found[0].value if found else 0.0
+        assert reported >= 0.98 * sampled - 0.15, (carrier, reported, sampled)
+        assert reported <= sampled + 1.5, (carrier, reported, sampled)
         hit += bool(found)
         missed += not found
     assert hit > 3 and missed > 3
@@ -157,7 +157,7 @@ def test_a_locked_axis_that_is_not_locked_would_be_noticed(monkeypatch):
 
     monkeypatch.setattr(machine_check, "find_locked_letters", lambda machine, body: "")
     with pytest.raises(AssertionError):
-        test_dense_samples_find_nothing_deeper_than_what_is_told("trunnion_ac")
+        test_dense_samples_find_nothing_deeper_than_what_is_reported("trunnion_ac")
 
 
 def test_the_depth_in_a_column_is_that_of_the_closed_form():
@@ -274,7 +274,7 @@ def test_bodies_are_read_and_written_as_they_are(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("body", "told"),
+    ("body", "reported"),
     [
         ({"name": "x", "carrier": "B", "box": GOOD[0]["box"]}, "body x: B carries no body; name one of base, spindle, C, A, X, Y, Z"),
         ({"name": "x", "carrier": "A"}, "fiveaxis.bodies[0]: it needs one of file, box, cylinder, cone, sphere"),
@@ -288,10 +288,10 @@ def test_bodies_are_read_and_written_as_they_are(tmp_path):
         ("cradle", "'cradle' is not an object"),
     ],
 )  # fmt: skip
-def test_a_body_that_cannot_be_used_is_refused_in_one_line(tmp_path, body, told):
+def test_a_body_that_cannot_be_used_is_refused_in_one_line(tmp_path, body, reported):
     with pytest.raises(MachineError) as raised:
         load_machine(machine_file(tmp_path, [body]))
-    assert told in str(raised.value) and "\n" not in str(raised.value) and "own.fcm" in str(raised.value)
+    assert reported in str(raised.value) and "\n" not in str(raised.value) and "own.fcm" in str(raised.value)
 
 
 def test_the_example_cuts_a_part_free_of_its_bodies_and_a_short_tool_brings_the_spindle_into_them(tmp_path):
@@ -350,16 +350,16 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
         "--report",
         str(tmp_path / "r.json"),
     ]
-    codes, said = [], []
+    codes, message = [], []
     for body in (post, far):
         machine = machine_file(tmp_path, [body])
         codes.append(
             cli.main([*given, "--machine", str(machine), "-o", str(tmp_path / f"{body['name']}.ngc")])
         )
         report = json.loads((tmp_path / "r.json").read_text())
-        said.append([one["code"] for one in report["findings"]])
+        message.append([one["code"] for one in report["findings"]])
         assert ("machine's bodies: far" in json.dumps(report)) == (body is far)
-    assert codes[0] == 1 and "machine-collision" in said[0] and "machine-collision" not in said[1]
+    assert codes[0] == 1 and "machine-collision" in message[0] and "machine-collision" not in message[1]
     guided = ["--controller", "fanuc", "--rtcp", "angles", "--tool", "1", "--linearize", "off"]
     assert cli.main([*given, *guided, "--machine", str(machine), "-o", str(tmp_path / "guided.nc")]) == 0
     rests = json.loads((tmp_path / "r.json").read_text())["scope"]
@@ -397,7 +397,7 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
     ]
 
 
-def test_a_body_is_told_that_comes_nearer_than_its_own_clearance_or_that_of_all(tmp_path):
+def test_a_body_is_reported_that_comes_nearer_than_its_own_clearance_or_that_of_all(tmp_path):
     """A post on the platter, 15 mm beside the edge over which the middle of a ball of 6 runs: 12 mm are
     left."""
     from freecad_fiveaxis.core.pipeline import job

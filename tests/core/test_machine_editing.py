@@ -66,7 +66,7 @@ def imperial(path):
 
 
 @pytest.mark.parametrize("name", ALL, ids=stem)
-def test_what_is_not_changed_is_written_as_it_stood(name, tmp_path):
+def test_what_is_not_changed_is_written_as_it_was(name, tmp_path):
     save_draft(read_draft(name), tmp_path / "again.fcm")
     assert load_machine(tmp_path / "again.fcm") == load_machine(name)
     assert json.loads((tmp_path / "again.fcm").read_bytes()) == json.loads(machine_path(name).read_bytes())
@@ -286,7 +286,7 @@ def test_every_wrong_axis_is_named_at_once_and_a_good_machine_has_no_problem():
     assert machine == load_machine("trunnion_ac") and not problems
 
 
-def test_what_is_left_open_is_asked_and_does_not_keep_the_file_from_being_written(tmp_path):
+def test_what_is_left_open_is_requested_and_does_not_keep_the_file_from_being_written(tmp_path):
     draft = replace(wrong("X", high=math.inf), table=None)
     draft = change_axis(draft, draft.letters().index("A"), low=10.0)
     machine, problems = check_draft(draft)
@@ -342,9 +342,9 @@ def test_what_is_no_machine_makes_no_draft(tmp_path):
 @pytest.fixture
 def attached():
     """The meshes of one session of editing."""
-    made = AttachedMeshes()
-    yield made
-    made.close()
+    result = AttachedMeshes()
+    yield result
+    result.close()
 
 
 def with_attached(attached, *names):

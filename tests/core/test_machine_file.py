@@ -170,7 +170,7 @@ def test_angular_is_the_old_word_for_rotary(data, load):
     assert load(data) == expected
 
 
-def test_directions_are_made_unit(data, load):
+def test_directions_are_built_unit(data, load):
     data["machine"]["axes"]["A"]["joint"]["axis"] = [3, 0, -4]
     assert load(data).rotary[1].direction == (0.6, 0.0, -0.8)
 
@@ -275,7 +275,7 @@ def test_degrees_come_back_to_the_last_bit(tmp_path):
         assert load_machine(tmp_path / "tilted.fcm") == tilted
 
 
-def test_nothing_is_written_over_unless_told(tmp_path):
+def test_nothing_is_written_over_unless_reported(tmp_path):
     path = tmp_path / "mine.fcm"
     path.write_text("mine", encoding="utf-8")
     with pytest.raises(FileError, match="exists already"):

@@ -254,12 +254,12 @@ def test_offsets_that_cannot_be_known_are_named_in_one_line(hal, words, write) -
         ("setp {m}.z-offset 10\n", "offset-not-set"), ("", "offset-not-set"), (OFFSETS["xyzac"] + "setp {m}.x-offset 3\n", "offset-not-used"),
     ],
 )  # fmt: skip
-def test_offsets_that_are_not_set_or_not_used_are_told(hal, code, write) -> None:
+def test_offsets_that_are_not_set_or_not_used_are_reported(hal, code, write) -> None:
     (found,) = import_machine(str(write(hal=hal))).findings
     assert (found.code, found.severity) == (code, Severity.WARNING)
 
 
-def test_a_constant_tool_offset_is_part_of_the_trunnions_height_and_told(write) -> None:
+def test_a_constant_tool_offset_is_part_of_the_trunnions_height_and_reported(write) -> None:
     path = write(
         hal=OFFSETS["xyzac"] + "setp {m}.tool-offset 7\n",
         swap={"HALCMD = net :tool-offset motion.tooloffset.z =>": "#"},
@@ -280,7 +280,7 @@ def freecad_file(name: str = "trunnion_ac") -> dict:
     return data
 
 
-def test_a_file_of_freecads_machine_editor_is_taken_and_what_it_cannot_say_is_told(tmp_path) -> None:
+def test_a_file_of_freecads_machine_editor_is_taken_and_what_it_cannot_say_is_reported(tmp_path) -> None:
     (tmp_path / "m.fcm").write_text(json.dumps(freecad_file()))
     imported = import_machine(str(tmp_path / "m.fcm"))
     assert (
@@ -340,8 +340,8 @@ def test_a_freecad_file_of_four_axes_is_a_machine(tmp_path) -> None:
 def test_the_command_writes_a_machine_that_the_program_takes(write, tmp_path, capsys) -> None:
     out = tmp_path / "my.fcm"
     assert cli.main(["import-machine", str(write()), "-o", str(out)]) == cli.DONE
-    told = capsys.readouterr().out
-    assert "A table -1,0,0" in told and f"wrote {out}" in told
+    reported = capsys.readouterr().out
+    assert "A table -1,0,0" in reported and f"wrote {out}" in reported
     assert load_machine(out).axes == import_machine(str(write())).machine.axes
     assert (
         cli.main(["import-machine", str(write()), "-o", str(out)]) == cli.UNUSABLE
@@ -350,16 +350,16 @@ def test_the_command_writes_a_machine_that_the_program_takes(write, tmp_path, ca
 
 
 @pytest.mark.parametrize(
-    ("source", "out", "said"),
+    ("source", "out", "message"),
     [("mill.ini", "my.json", ".fcm"), ("gone.ini", "my.fcm", "does not exist"), ("mill.hal", "my.fcm", ".ini"), ("mill.ini", "no/my.fcm", "folder")],
 )  # fmt: skip
 def test_the_command_refuses_in_one_line_and_leaves_no_file(
-    source, out, said, write, tmp_path, capsys
+    source, out, message, write, tmp_path, capsys
 ) -> None:
     write()
     assert cli.main(["import-machine", str(tmp_path / source), "-o", str(tmp_path / out)]) == cli.UNUSABLE
     error = capsys.readouterr().err
-    assert said in error and error.count("\n") == 1
+    assert message in error and error.count("\n") == 1
     assert not (tmp_path / out).exists()
 
 
@@ -407,7 +407,7 @@ def older_file(*rotary: str) -> dict:
     }  # fmt: skip
 
 
-def test_a_template_of_freecads_from_before_the_release_is_a_machine_and_what_is_taken_is_told(
+def test_a_template_of_freecads_from_before_the_release_is_a_machine_and_what_is_taken_is_reported(
     tmp_path,
 ) -> None:
     (tmp_path / "m.fcm").write_text(json.dumps(older_file()))

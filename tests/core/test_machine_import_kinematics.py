@@ -219,7 +219,7 @@ def test_a_pivot_that_no_file_sets_is_the_modules_own_and_named(module, own, tmp
     assert f"pivot-length ({own:g})" in text
 
 
-def test_a_pivot_without_the_tool_length_is_told(tmp_path) -> None:
+def test_a_pivot_without_the_tool_length_is_reported(tmp_path) -> None:
     imported = import_machine(
         write(tmp_path, "5axiskins", "XYZBCW", "setp 5axiskins.pivot-length 200\n", traj="XYZBC")
     )

@@ -166,12 +166,12 @@ def test_shapes_become_bodies_where_they_stand_on_the_axis_that_moves_them(write
     out = tmp_path / "mine.fcm"
     (tmp_path / "mine cradle.stl").write_text("somebody's")
     assert cli.main(["import-machine", str(write()), "-o", str(out)]) == cli.DONE
-    told = capsys.readouterr().out
+    reported = capsys.readouterr().out
     assert (
-        "A table 1,0,0" in told
-        and "cradle (A)" in told
-        and f"wrote {out}" in told
-        and "mine cradle-2.stl" in told
+        "A table 1,0,0" in reported
+        and "cradle (A)" in reported
+        and f"wrote {out}" in reported
+        and "mine cradle-2.stl" in reported
     )
     bodies = json.loads(out.read_bytes())["fiveaxis"]["bodies"]
     assert bodies == [
@@ -206,7 +206,7 @@ def test_a_box_that_leans_is_a_mesh_and_a_mirrored_mesh_keeps_its_outside_out(wr
     assert volume == pytest.approx(200.0 * 100.0 * 40.0)
 
 
-def test_what_is_assumed_is_told(write):
+def test_what_is_assumed_is_reported(write):
     found = import_machine(str(write())).findings
     assert [one.code for one in found] == ["machine-default", "sign-unproven"] and found[
         1

@@ -348,7 +348,7 @@ def test_pins_of_which_no_hal_file_speaks_are_axes_by_their_names_alone(write):
 
 
 @pytest.mark.parametrize(
-    ("swap", "told"),
+    ("swap", "reported"),
     [
         (("bed = Box(-300", "bed = HalShow([Box(-1, -1, -1, 1, 1, 1)], gui, 1, 'show')  # Box(-300"), "HalShow("),
         (("bed = Box(-300", "bed = Own(gui)  # Box(-300"), "Own(gui)"),
@@ -375,13 +375,13 @@ def test_pins_of_which_no_hal_file_speaks_are_axes_by_their_names_alone(write):
         (("bed = Box(-300, -300, -50, 300, 300, 0)", "bed = AsciiOBJ('bed.obj')"), "AsciiOBJ('bed.obj')"),
     ],
 )  # fmt: skip
-def test_what_is_not_plain_is_told_by_its_line_and_left_out(swap, told, write):
+def test_what_is_not_plain_is_reported_by_its_line_and_left_out(swap, reported, write):
     imported = import_machine(*write("trunnion", swap))
     assert [body.name for body in imported.machine.bodies] == [
         name for name in of_trunnion(0, 0, 0, 0, 0) if name != "bed"
     ]
     (left,) = [found for found in imported.findings if found.code == "model-left-out"]
-    assert told in left.text and "line 4" in left.text and left.value == 1.0
+    assert reported in left.text and "line 4" in left.text and left.value == 1.0
 
 
 def test_one_shape_left_out_leaves_its_neighbours_in(write):
@@ -399,7 +399,7 @@ def test_one_shape_left_out_leaves_its_neighbours_in(write):
 
 
 @pytest.mark.parametrize(
-    ("swap", "told"),
+    ("swap", "reported"),
     [
         (
             ('"tilt", -1, -1, 0, 0', '"tilt", 1, -1, 0, 0'),
@@ -412,9 +412,9 @@ def test_one_shape_left_out_leaves_its_neighbours_in(write):
         (('0, "yo", "zo")', '0, 0, "zo")'), "turns A about a line that is 20 mm from that of the kinematics"),
     ],
 )
-def test_what_the_model_moves_otherwise_than_the_kinematics_is_told(swap, told, write):
+def test_what_the_model_moves_otherwise_than_the_kinematics_is_reported(swap, reported, write):
     found = [one for one in import_machine(*write("trunnion", swap)).findings if one.code == "model-differs"]
-    assert len(found) >= 1 and told in found[0].text
+    assert len(found) >= 1 and reported in found[0].text
 
 
 @pytest.mark.parametrize(

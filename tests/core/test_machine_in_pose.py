@@ -124,7 +124,7 @@ STACK = Body((*TOOL.pieces, frustum_piece(LENGTH, 35.0, LENGTH + 60.0, 35.0, 3))
 
 
 @pytest.mark.parametrize("name", ["trunnion_ac", "head_b_table_c", "fork_head_bc"])
-def test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it(name):
+def test_every_pose_is_reported_as_the_shortest_ways_between_the_pieces_tell_it(name):
     """Random boxes on each carrier, random places and axes: a pose that a tool smaller by 0.1 mm hits is
     blocked, one that keeps 0.1 mm off is not."""
     rng, plain = np.random.default_rng(3), load_machine(name)
@@ -136,31 +136,31 @@ def test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it(name
         words = np.concatenate([rng.uniform(-60, 60, (80, 3)), rng.uniform(-80, 80, (80, 2))], axis=1)
         q = words_to_q(words)
         tip, axis = forward(chain(machine, Setup(ORIGIN, LENGTH)), q)
-        told = standing(machine).is_blocked(tip, axis, q[:, 3:])
+        reported = standing(machine).is_blocked(tip, axis, q[:, 3:])
         smaller = Body(tuple(one._replace(low_radius=max(one.low_radius - 0.1, 0.0), high_radius=max(one.high_radius - 0.1, 0.0),
                                           round=max(one.round - 0.1, 0.0)) for one in STACK.pieces))  # fmt: skip
-        assert told[brute(machine, words, body, smaller) < 0.0].all(), carrier
-        assert not told[brute(machine, words, body, grow_body(STACK, 0.1)) > 0.0].any(), carrier
-        blocked, free = blocked + told.sum(), free + (~told).sum()
+        assert reported[brute(machine, words, body, smaller) < 0.0].all(), carrier
+        assert not reported[brute(machine, words, body, grow_body(STACK, 0.1)) > 0.0].any(), carrier
+        blocked, free = blocked + reported.sum(), free + (~reported).sum()
     assert blocked > 20 and free > 40
 
 
 def test_an_axis_that_is_not_locked_would_be_noticed(monkeypatch):
     monkeypatch.setattr(module, "find_locked_letters", lambda machine, body: "")
     with pytest.raises(AssertionError):
-        test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it("trunnion_ac")
+        test_every_pose_is_reported_as_the_shortest_ways_between_the_pieces_tell_it("trunnion_ac")
 
 
 def test_directions_of_mixed_up_lengths_would_be_noticed(monkeypatch):
     """As they were once: sorted, but with the lengths of before."""
     monkeypatch.setattr(module, "WAYS", module.WAYS * np.linspace(0.5, 1.5, 26)[:, None])
     with pytest.raises(AssertionError):
-        test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it("trunnion_ac")
+        test_every_pose_is_reported_as_the_shortest_ways_between_the_pieces_tell_it("trunnion_ac")
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("length", [LENGTH, None])
-def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
+def test_poses_are_reported_as_the_check_of_the_finished_program_tells_them(length):
     """All bodies of trunnion_with_bodies, and these against each other: a program that stands
     still in the pose."""
     rng, machine, setup = np.random.default_rng(8), load_machine(str(EXAMPLE)), Setup((0.0, 0.0, -40.0), 45.0)
@@ -170,7 +170,7 @@ def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
     angles, _ = inverse_axis(kinematics, axis)
     given = InMachine(machine, setup, kinematics, TOOL, None if length is None else 45.0)
     part = from_triangles(box((-200, -20, -40), (-195, 20, 100)))
-    told = machine_in_pose(given, part, 0.01).is_blocked(tip, axis, angles[0])
+    reported = machine_in_pose(given, part, 0.01).is_blocked(tip, axis, angles[0])
     words = q_to_words(joint_words(kinematics, tip, angles[0]))
     for k, word in enumerate(words):
         found = check_machine(given, program_of(machine, np.array([word, word])), part, 0.01)
@@ -179,8 +179,8 @@ def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
             for one in found
             if one.hit is not None and (one.hit.enters, one.hit.entered) != ("spindle", "")
         }
-        assert bool(hits) == told[k], (word, hits)
-    assert 3 < told.sum() < 17
+        assert bool(hits) == reported[k], (word, hits)
+    assert 3 < reported.sum() < 17
 
 
 def test_at_the_pole_the_tool_is_free_whatever_its_neighbours_turn_the_table_to():
@@ -224,7 +224,9 @@ def test_a_part_on_the_trunnion_is_cut_free_of_its_bodies_where_the_spindle_hit_
 
 
 @pytest.mark.slow
-def test_what_no_axis_frees_of_the_machine_is_told_by_its_area_and_what_a_longer_tool_would_free(monkeypatch):
+def test_what_no_axis_frees_of_the_machine_is_reported_by_its_area_and_what_a_longer_tool_would_free(
+    monkeypatch,
+):
     """A wall on the platter 12 mm beside one side of the part, as high as the clearance: a spindle as near to
     the tip finds no room there."""
     take_nodes(monkeypatch, NODES)
@@ -241,24 +243,24 @@ def test_what_no_axis_frees_of_the_machine_is_told_by_its_area_and_what_a_longer
     assert "farther an axis is free" in one.text
 
 
-def test_where_a_machine_has_no_bodies_nothing_is_asked_and_bodies_far_away_change_no_byte(monkeypatch):
+def test_where_a_machine_has_no_bodies_nothing_is_requested_and_bodies_far_away_change_no_byte(monkeypatch):
     take_nodes(monkeypatch, NODES)
     plain, far = (
         load_machine("trunnion_ac"),
         MachineBody("far", "base", "box", ((900, 900, 900), (950, 950, 950))),
     )
-    made = []
+    result = []
     for bodies in ((), (far,)):
         machine = replace(plain, bodies=bodies)
         monkeypatch.setattr(
             "freecad_fiveaxis.core.pipeline.options.load_machine", lambda name, machine=machine: machine
         )
-        made.append(job.make(build_settings("mill", "part", {**MILL, "machine": "trunnion_ac"}), mesh=PART))
+        result.append(job.make(build_settings("mill", "part", {**MILL, "machine": "trunnion_ac"}), mesh=PART))
         monkeypatch.setattr(module.MachineInPose, "hits", None)  # with bodies it is asked
         if bodies == ():
             monkeypatch.undo()
             take_nodes(monkeypatch, NODES)
-    assert made[0].nc == made[1].nc
+    assert result[0].nc == result[1].nc
 
 
 def test_the_reach_map_tells_where_the_machine_is_in_the_way_and_a_longer_tool_helps():

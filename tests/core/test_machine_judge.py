@@ -76,17 +76,19 @@ def judge(name, scenes=SCENES):
         body = random_body(rng, str(rng.choice(carriers(plain))))
         machine = replace(plain, bodies=(body, NOSE))
         words = np.concatenate([rng.uniform(-60, 60, (2, 3)), rng.uniform(-60, 60, (2, 2))], axis=1)
-        told = [one for one in checked(machine, words, TOLERANCE) if one.code == "machine-collision"]
+        reported = [one for one in checked(machine, words, TOLERANCE) if one.code == "machine-collision"]
         sampled = hit_samples(machine, words, body, 1.5 * TOLERANCE)
-        missed += [scene] if sampled and not told else []
-        alone += [(scene, told[0].value)] if told and not hit_samples(machine, words, body, 0.0) else []
+        missed += [scene] if sampled and not reported else []
+        alone += (
+            [(scene, reported[0].value)] if reported and not hit_samples(machine, words, body, 0.0) else []
+        )
         hit += bool(sampled)
-        free += not told
+        free += not reported
     return missed, hit, free, alone
 
 
 @pytest.mark.parametrize("name", MACHINES)
-def test_fcl_finds_nothing_in_200_samples_a_block_that_is_not_told(name):
+def test_fcl_finds_nothing_in_200_samples_a_block_that_is_not_reported(name):
     missed, hit, free, alone = judge(name)
     assert not missed and hit > 5 and free > 2
     assert all(depth < 1.0 for _, depth in alone), "what is told and never sampled is shallow or short"

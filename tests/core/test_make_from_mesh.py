@@ -38,12 +38,12 @@ def test_a_mesh_at_hand_gives_the_bytes_of_its_file_whatever_the_name(block, tmp
 def test_only_the_chosen_facets_are_cut(block) -> None:
     settings = build_settings("mill", "block.stl", OPTIONS)
     chosen = np.arange(len(block.face)) < 2
-    made = job.make(settings, mesh=block, faces=chosen)
+    draft = job.make(settings, mesh=block, faces=chosen)
     whole = job.make(settings, mesh=block)
-    assert isinstance(made, job.MilledProgram) and isinstance(whole, job.MilledProgram)
-    assert set(np.unique(made.offset.face)) == {0, 1}
+    assert isinstance(draft, job.MilledProgram) and isinstance(whole, job.MilledProgram)
+    assert set(np.unique(draft.offset.face)) == {0, 1}
     assert set(np.unique(whole.offset.face)) > {0, 1, 2, 3}
-    assert not [finding for finding in made.findings if finding.code == "facets-looking-down"]
+    assert not [finding for finding in draft.findings if finding.code == "facets-looking-down"]
 
 
 def test_a_choice_that_cannot_be_cut_is_refused(block) -> None:

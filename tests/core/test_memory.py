@@ -92,7 +92,7 @@ def square() -> object:
     )
 
 
-def test_more_segments_than_can_be_held_are_refused_before_they_are_made(monkeypatch) -> None:
+def test_more_segments_than_can_be_held_are_refused_before_they_are_built(monkeypatch) -> None:
     monkeypatch.setattr(memory, "free_memory", lambda: 1000.0)
     with pytest.raises(SettingsError, match="larger stepover or scallop"):
         slice_mesh(square(), np.linspace(0.1, 0.9, 50), 0.0)

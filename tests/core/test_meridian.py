@@ -80,14 +80,14 @@ def test_the_room_is_all_words_whose_meridian_is_within_the_change(kinematics, c
 def test_the_nearest_axis_on_a_meridian_is_that_of_a_dense_walk_along_it(kinematics):
     globe, (angles, axis) = Globe.of(kinematics), poses(kinematics, 60)
     word = angles[:, 0] + 0.03
-    made = globe.nearest(axis, word)
-    np.testing.assert_allclose(np.linalg.norm(made, axis=1), 1, atol=1e-12)
+    result = globe.nearest(axis, word)
+    np.testing.assert_allclose(np.linalg.norm(result, axis=1), 1, atol=1e-12)
     second = np.linspace(-np.pi, np.pi, 20001)
-    for one, k, got in zip(word, axis, made, strict=True):
+    for one, k, got in zip(word, axis, result, strict=True):
         q = np.column_stack([np.zeros((len(second), 3)), np.full(len(second), one), second])
         least = angle_between(forward(kinematics, q)[1], np.broadcast_to(k, (len(second), 3))).min()
         assert angle_between(got[None], k[None])[0] == pytest.approx(least, abs=OFF_POLE + np.pi / 20000)
-    assert (np.linalg.norm(globe.across(made), axis=1) >= OFF_POLE * (1 - 1e-6)).all()
+    assert (np.linalg.norm(globe.across(result), axis=1) >= OFF_POLE * (1 - 1e-6)).all()
 
 
 def test_the_nearest_axis_to_the_pole_itself_still_says_its_word(kinematics):
@@ -96,8 +96,8 @@ def test_the_nearest_axis_to_the_pole_itself_still_says_its_word(kinematics):
     if abs(abs(globe.pole @ [0, 0, 1]) - 1) > 1e-9:
         pytest.skip("the machine's pole is not upright")
     word = np.linspace(-3, 3, 50)
-    made = globe.nearest(np.repeat(pole[None], 50, axis=0), word)
-    found = inverse_axis(kinematics, made)[0][:, :, 0]
+    result = globe.nearest(np.repeat(pole[None], 50, axis=0), word)
+    found = inverse_axis(kinematics, result)[0][:, :, 0]
     assert (np.abs(np.sin(0.5 * (found - word))).min(0) < 0.02).all()
 
 

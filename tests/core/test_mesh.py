@@ -294,16 +294,16 @@ def test_no_facets_are_refused():
 
 
 @pytest.mark.parametrize(
-    ("value", "said"),
+    ("value", "message"),
     [(np.nan, "finite"), (np.inf, "finite"), (-np.inf, "finite"), (1e9, "units"), (-1.1e6, "units")],
 )
-def test_a_coordinate_that_no_part_has_is_refused_with_facet_and_value(value, said):
+def test_a_coordinate_that_no_part_has_is_refused_with_facet_and_value(value, message):
     corners = box().astype(np.float32)
     corners[7, 1, 2] = value
-    with pytest.raises(MeshError, match=f"facet 8 of 12 has z = .*{said}") as caught:
+    with pytest.raises(MeshError, match=f"facet 8 of 12 has z = .*{message}") as caught:
         from_triangles(corners)
     np.testing.assert_equal(caught.value.value, float(np.float32(value)))
-    with pytest.raises(MeshError, match=f"vertex 2 of 3 has x = .*{said}"):
+    with pytest.raises(MeshError, match=f"vertex 2 of 3 has x = .*{message}"):
         from_faces([[0, 0, 0], [value, 0, 0], [0, 1, 0]], [[0, 1, 2]])
 
 

@@ -58,9 +58,9 @@ def settings(machine, **others):
 @cache
 def given(machine, **others):
     """The offset path, facet_mean's axes, the chain, and reach of a job."""
-    made = job.make(settings(machine, **others))
+    result = job.make(settings(machine, **others))
     reach = 5.0 if others.get("control_point") == "tip" else 0.0
-    return made.offset, tool_axes(made.offset, "facet_mean", AxisOptions()), made.kinematics, reach
+    return result.offset, tool_axes(result.offset, "facet_mean", AxisOptions()), result.kinematics, reach
 
 
 @cache
@@ -228,14 +228,15 @@ def test_the_surface_is_cut_as_before(control_point):
         for method in ("facet_mean", "minimax")
     )
     reach = 5.0 if control_point == "tip" else 0.0
-    cut = [made.path.motion <= 1 for made in (one, two)]
+    cut = [result.path.motion <= 1 for result in (one, two)]
     assert np.array_equal(one.path.contact[cut[0]], two.path.contact[cut[1]])
     centre = [
-        made.path.tip[rows] + reach * made.path.axis[rows] for made, rows in zip((one, two), cut, strict=True)
+        result.path.tip[rows] + reach * result.path.axis[rows]
+        for result, rows in zip((one, two), cut, strict=True)
     ]
     np.testing.assert_allclose(centre[0], centre[1], atol=1e-9)
     assert np.abs(one.path.axis[cut[0]] - two.path.axis[cut[1]]).max() > 0.02
-    largest = [job.prove(made).deviation.segment[made.program.motion <= 1].max() for made in (one, two)]
+    largest = [job.prove(result).deviation.segment[result.program.motion <= 1].max() for result in (one, two)]
     assert largest[1] < largest[0] / 3.0
 
 
@@ -277,12 +278,12 @@ def test_it_says_where_it_stands_and_can_be_stopped():
         cases.one_axis(case.axis_z),
         0.0,
     )
-    said = []
+    message = []
     minimax_axes(
-        offset, axis, kinematics, reach, TILT, FEED, lambda stage, share: said.append((stage, share))
+        offset, axis, kinematics, reach, TILT, FEED, lambda stage, share: message.append((stage, share))
     )
-    assert len(said) > 5 and all(0.0 <= share <= 1.0 for _, share in said)
-    assert any(abs(40.0 * share - round(40.0 * share)) > 0.1 for _, share in said), (
+    assert len(message) > 5 and all(0.0 <= share <= 1.0 for _, share in message)
+    assert any(abs(40.0 * share - round(40.0 * share)) > 0.1 for _, share in message), (
         "it speaks within a round, too"
     )
 
@@ -301,18 +302,18 @@ def test_a_tilt_of_zero_or_beyond_all_sense_is_refused(tilt):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (["--max-tilt", "0"], "max-tilt 0 is out of range"), (["--max-tilt", "31"], "at most 30 deg"),
         (["--max-tilt", "nan"], "max-tilt"), (["--lead", "3"], "lead 3 deg leaves minimax no choice; leave it out"),
         (["--tilt", "-3"], "tilt -3 deg leaves minimax no choice"),
     ],
 )  # fmt: skip
-def test_bad_settings_end_with_2_and_name_the_remedy(words, said, capsys, tmp_path):
+def test_bad_settings_end_with_2_and_name_the_remedy(words, message, capsys, tmp_path):
     part, out = str(parts.workshop() / f"{parts.PART}.stl"), tmp_path / "a.ngc"
-    told = ["mill", part, "--machine", "trunnion_ac", "--tool-axis", "minimax", "-o", str(out), *words]
-    assert main(told) == 2
-    assert said in capsys.readouterr().err and not out.exists()
+    reported = ["mill", part, "--machine", "trunnion_ac", "--tool-axis", "minimax", "-o", str(out), *words]
+    assert main(reported) == 2
+    assert message in capsys.readouterr().err and not out.exists()
 
 
 def test_max_tilt_is_for_minimax_alone_and_its_default_is_5_deg():
@@ -380,7 +381,7 @@ def test_the_cheapest_way_is_that_of_all_ways():
         assert tuple(state[begin : begin + rows]) == best
 
 
-def test_an_arc_through_the_pole_is_told_from_one_beside_it():
+def test_an_arc_through_the_pole_is_reported_from_one_beside_it():
     lean = np.radians(3.0)
     one = np.array([np.sin(lean), 0.0, np.cos(lean)]).reshape(3, 1, 1)
     ends = [(-1.0, 0.0), (-1.0, 0.1), (1.0, 0.0)]  # opposite, beside, on the same side

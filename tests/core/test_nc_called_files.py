@@ -67,9 +67,11 @@ def test_without_the_file_the_line_is_named_with_what_helps(folder, capsys):
     (folder / "side.ngc").rename(folder / "elsewhere" / "side.ngc")
     audit = ["audit", str(folder / "main.ngc"), "--machine", "trunnion_ac", "--cutter", "ball:6"]
     assert main(audit) == 1
-    told = " ".join(capsys.readouterr().out.split())
-    assert "subprogram O<side> is not in this file, and no side.ngc that holds it was found beside it" in told
-    assert "give the folder of that file with --search" in told
+    message = " ".join(capsys.readouterr().out.split())
+    assert (
+        "subprogram O<side> is not in this file, and no side.ngc that holds it was found beside it" in message
+    )
+    assert "give the folder of that file with --search" in message
     main([*audit, "--search", str(folder / "elsewhere")])
     assert "is not in this file" not in capsys.readouterr().out
 

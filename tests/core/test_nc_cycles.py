@@ -116,18 +116,18 @@ def test_inches_and_the_least_increment_count_for_the_words_of_cycles_too() -> N
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "message"),
     [
         ("G83 X1 Z-5 R2", "no Q"), ("G81 X1 Z-5", "no R"), ("G81 X1 R2", "no depth"), ("G81 X1 Z5 R2", "above R"),
         ("G83 X1 Z-5 R2 I3 J1 K1 Q1", "get smaller"), ("G81 X1 Z-5 R2 L1.5", "whole number"), ("G83 X1 Z-5 R2 Q0.0000001", "too many"),
         ("G93 G81 X1 Z-5 R2 F1", "inverse"),
     ],
 )  # fmt: skip
-def test_a_cycle_that_cannot_be_written_out_is_refused_by_name_with_its_line(line: str, said: str) -> None:
-    before, line_of = ("G98 G81 X3 Z-1 R1\n", 4) if "no" not in said else ("", 3)
+def test_a_cycle_that_cannot_be_written_out_is_refused_by_name_with_its_line(line: str, message: str) -> None:
+    before, line_of = ("G98 G81 X3 Z-1 R1\n", 4) if "no" not in message else ("", 3)
     program = read(HEAD + before + line + "\nX9\nG80\nG94 G0 X0 F10\n", "haas")
     found = [one for one in program.findings if one.code == "cycle-not-interpreted"]
-    assert any(said in one.text and one.line == line_of for one in found)
+    assert any(message in one.text and one.line == line_of for one in found)
     assert 1 not in program.words[:, 0]
 
 
@@ -145,15 +145,15 @@ def agree(text: str, tmp_path: Path) -> None:
     """Position by position as rs274, without moves of no length."""
     file = tmp_path / "cycles.ngc"
     file.write_text(text)
-    said = judged(file)
-    assert not said.refused
+    message = judged(file)
+    assert not message.refused
     program = read(text)
     assert not errors(program), program.findings
-    ours, theirs = program.words[:, [0, 1, 2, 4]], said.ends[:, :4]
+    ours, theirs = program.words[:, [0, 1, 2, 4]], message.ends[:, :4]
     mine, his = moving(ours, 1e-6), moving(theirs, 1e-6)
-    np.testing.assert_allclose(ours[mine], theirs[his], atol=said.off)
+    np.testing.assert_allclose(ours[mine], theirs[his], atol=message.off)
     assert [program.motion[row] == Motion.RAPID for row in mine[1:]] == [
-        said.kinds[row] == "rapid" for row in his[1:]
+        message.kinds[row] == "rapid" for row in his[1:]
     ]
 
 
@@ -202,7 +202,7 @@ def test_cycles_move_as_linuxcnc_moves(seed: int, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("controller", ["fanuc", "haas"])
-def test_fine_boring_is_read_without_its_shift_and_said_so(controller: str) -> None:
+def test_fine_boring_is_read_without_its_shift_and_stated_so(controller: str) -> None:
     program = read(HEAD + "G98 G76 X5 Y6 Z-3 R2 Q0.5 P100\nX7\nG80\n", controller)
     assert path(program) == [
         "r 5 6 20",
@@ -236,7 +236,7 @@ def test_a_row_in_steps_takes_r_from_the_initial_level_and_z_from_r(controller: 
 
 
 @pytest.mark.parametrize(("controller", "letter"), [("fanuc", "K"), ("haas", "L")])
-def test_heights_told_before_the_way_of_counting_changes_stay_where_they_are(
+def test_heights_reported_before_the_way_of_counting_changes_stay_where_they_are(
     controller: str, letter: str
 ) -> None:
     hole = ["r {0} 5 2", "f {0} 5 -10", "r {0} 5 2"]

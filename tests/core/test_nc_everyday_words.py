@@ -161,7 +161,7 @@ def test_a_word_of_siemens_for_spindle_or_drives_is_no_finding(word: str) -> Non
         ("G5.1 Q1 R1\nG1 X1. F100.\nX2. R2.\n", "The word R in NC line 5 is not interpreted"),
     ],
 )
-def test_a_word_that_is_not_interpreted_is_said_with_its_line_and_a_remedy(lines: str, begin: str) -> None:
+def test_a_word_that_is_not_interpreted_is_stated_with_its_line_and_a_remedy(lines: str, begin: str) -> None:
     (found,) = (one for one in iso(lines).findings if one.code == "word-not-interpreted")
     assert found.text.startswith(begin) and "Post without" in found.text
     assert f"NC line {found.line}" in found.text

@@ -70,8 +70,8 @@ def test_o_words_run_as_linuxcnc_runs_them(name: str) -> None:
 def test_linuxcnc_runs_them_so(name: str, tmp_path: Path) -> None:
     text = HEAD + O_WORDS[name][0] + "G90 G0 X0\nM2\n"
     (tmp_path / "a.ngc").write_text(text)
-    said = judged(tmp_path / "a.ngc")
-    assert not said.refused and not difference(read(text).words[:, [0, 1, 2, 4, 3]], said)
+    message = judged(tmp_path / "a.ngc")
+    assert not message.refused and not difference(read(text).words[:, [0, 1, 2, 4, 3]], message)
 
 
 @pytest.mark.parametrize(
@@ -108,7 +108,7 @@ def test_plots_run_along_the_blocks_where_lines_come_again() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "line", "said"),
+    ("text", "line", "message"),
     [
         ("o1 while [1]\nG4 P0\no1 endwhile\n", (3, 4, 5), "does not end"), ("N1 GOTO 1\n", (3,), "does not end"),
         ("o1 sub\no1 call\no1 endsub\no1 call\n", (4,), "deeper than 100"), ("o1 repeat [900000000]\nG1 X1\no1 endrepeat\n", (3, 4, 5), "does not end"),
@@ -116,10 +116,10 @@ def test_plots_run_along_the_blocks_where_lines_come_again() -> None:
     ],
 )  # fmt: skip
 def test_what_does_not_end_is_refused_with_its_line(
-    text: str, line: tuple[int, ...], said: str, monkeypatch: pytest.MonkeyPatch
+    text: str, line: tuple[int, ...], message: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(interpreter, "MOST", 50_000)
-    with pytest.raises(ProgramError, match=said) as caught:
+    with pytest.raises(ProgramError, match=message) as caught:
         read(HEAD + text)
     assert int(re.match(r"line (\d+)", str(caught.value))[1]) in line
 
@@ -142,7 +142,7 @@ def test_a_loop_that_does_not_end_is_left_soon_when_the_work_is_stopped(
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "message"),
     [
         ("o<other> call", "not in this file"), ("M98 P77", "not in this file"), ("o1 if [1]", "no end"), ("o1 endif", "no begin"),
         ("GOTO 99", "N99"), ("M98", "by P alone"), ("o1 break", "no loop"), ("M72", "modes"), ("G1 X[1", "missing"), ("o1 if\no1 endif", "condition"),
@@ -150,11 +150,11 @@ def test_a_loop_that_does_not_end_is_left_soon_when_the_work_is_stopped(
     ],
 )  # fmt: skip
 def test_what_is_not_understood_is_named_with_its_line_and_the_plain_blocks_stay(
-    line: str, said: str
+    line: str, message: str
 ) -> None:
     program = read(HEAD + "G1 X3\n" + line + "\nG1 X7\n")
     found = [one for one in program.findings if one.severity is Severity.ERROR]
-    assert said in found[0].text and found[0].line == 4
+    assert message in found[0].text and found[0].line == 4
     assert program.words[-1, 0] == 7
 
 
@@ -178,18 +178,18 @@ def verdict(text: bytes, file: Path) -> str:
         for found in program.findings
     ):
         return "refused"
-    said = judged(file)
-    return "-" if said.refused else difference(program.words[:, [0, 1, 2, 4, 3]], said) or "agree"
+    message = judged(file)
+    return "-" if message.refused else difference(program.words[:, [0, 1, 2, 4, 3]], message) or "agree"
 
 
 @pytest.mark.rs274
 @needs_rs274
 def test_every_example_of_linuxcnc_agrees_or_is_refused_by_name() -> None:
-    said = {file: verdict(file.read_bytes(), file) for file in EXAMPLES}
-    told = {file.name: one for file, one in said.items() if one not in ("agree", "refused", "-")}
-    counts = {name: sum(one == name for one in said.values()) for name in ("agree", "refused", "-")}
+    message = {file: verdict(file.read_bytes(), file) for file in EXAMPLES}
+    reported = {file.name: one for file, one in message.items() if one not in ("agree", "refused", "-")}
+    counts = {name: sum(one == name for one in message.values()) for name in ("agree", "refused", "-")}
     print(counts)
-    assert not told and (not said or counts["agree"] >= 10)
+    assert not reported and (not message or counts["agree"] >= 10)
 
 
 @pytest.mark.rs274

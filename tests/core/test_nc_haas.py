@@ -41,9 +41,9 @@ def reasons(program: Program) -> list[tuple[str, int | None]]:
 
 def test_the_zero_of_g254_goes_with_the_table_about_the_centres_of_rotation() -> None:
     program = haas(TURNED + "G254\nG00 X7. Y3.\nG43 Z50. H03\nG01 Z-1. F800.\nX9. Y4.\nG255\n")
-    told = np.array([[7, 3, 50], [7, 3, -1], [9, 4, -1]], float)
+    reported = np.array([[7, 3, 50], [7, 3, -1], [9, 4, -1]], float)
     assert not errors(program), program.findings
-    np.testing.assert_allclose(program.words[-3:, :3], told + carried(40.0, 30.0), atol=1e-9)
+    np.testing.assert_allclose(program.words[-3:, :3], reported + carried(40.0, 30.0), atol=1e-9)
     assert (program.words[-3:, 3:] == (40.0, 30.0)).all()
     tip, axis = poses(program, TRUNNION)
     assert np.linalg.norm(tip[-1] - tip[-2]) == pytest.approx(5**0.5) and (tip[-1] - tip[-2]) @ axis[
@@ -98,7 +98,7 @@ def test_what_the_manual_forbids_under_g254_is_an_error_with_its_reason(
     text: str, line: int, why: str
 ) -> None:
     program = haas(TURNED + text)
-    assert [(why in said, at) for said, at in reasons(program)] == [(True, line)]
+    assert [(why in message, at) for message, at in reasons(program)] == [(True, line)]
 
 
 def test_words_of_rotary_axes_that_stand_already_are_no_turn() -> None:
@@ -113,14 +113,14 @@ def test_where_the_centres_of_rotation_are_not_known_g254_and_planes_are_errors_
         (text.replace("G254", "G68.2 X0. Y0. Z0. I0. J30. K0.").replace("G255", "G69"), "G68.2"),
     ):
         program = read_nc(one.encode(), TRUNNION, DIALECTS["haas"], assumed=Assumed(centres=False))
-        (found,) = [said for said, _ in reasons(program)]
+        (found,) = [message for message, _ in reasons(program)]
         assert found.startswith(name) and "centres of rotation" in found
         np.testing.assert_allclose(program.words[-1, :3], [7, 3, 50], atol=1e-9)
 
 
 def test_a_head_that_turns_has_no_g254() -> None:
     program = read(f"{HEAD}G00 B30. C40.\nG254\nG00 X0. Y0.\nZ9.\nM30\n", "haas", MIXED)
-    assert [("B turns the head" in said, at) for said, at in reasons(program)] == [(True, 9)]
+    assert [("B turns the head" in message, at) for message, at in reasons(program)] == [(True, 9)]
 
 
 def test_g234_of_a_umc_guides_until_g49() -> None:

@@ -45,7 +45,7 @@ def test_a_vector_under_g43_5_leads_where_its_rotary_words_lead() -> None:
     np.testing.assert_allclose(vector.words, words.words, atol=1e-7)
 
 
-def test_a_number_that_is_not_known_and_one_that_is_not_told_are_errors() -> None:
+def test_a_number_that_is_not_known_and_one_that_is_not_reported_are_errors() -> None:
     other = read("G21 G90 F500\nG0 X0 Y0 Z50 A0 C0\nG12.1 P2\nG1 X2\nM2\n", "linuxcnc")
     assert [(found.code, found.line) for found in other.findings if found.severity is Severity.ERROR] == [
         ("kinematics-not-known", 3)

@@ -19,8 +19,8 @@ def klartext(text: str, head: str = HEAD):
 
 
 def hole(number: int, words: dict[str, float], head: str = HEAD):
-    told = " ~\n".join(f"   {name}={value:+} ;NOTE" for name, value in words.items())
-    return klartext(f"5 CYCL DEF {number} NAME ~\n{told}\nL X+5 Y+6 FMAX M99\n", head)
+    reported = " ~\n".join(f"   {name}={value:+} ;NOTE" for name, value in words.items())
+    return klartext(f"5 CYCL DEF {number} NAME ~\n{reported}\nL X+5 Y+6 FMAX M99\n", head)
 
 
 def reason(program) -> str:
@@ -159,7 +159,7 @@ def test_one_datum_of_the_table_is_a_note_and_several_are_a_warning() -> None:
 
 
 @pytest.mark.parametrize(
-    ("told", "note"),
+    ("reported", "note"),
     [
         ("DL+0 DR+0", ""),
         ("DL-0.0 DR0", ""),
@@ -168,8 +168,8 @@ def test_one_datum_of_the_table_is_a_note_and_several_are_a_warning() -> None:
         ("DL+Q5", "DL+Q5"),
     ],
 )
-def test_a_tool_that_differs_from_its_table_is_a_note(told: str, note: str) -> None:
-    program = klartext(f'TOOL CALL "DL+9" Z S1 {told}\nL X+1\n')
+def test_a_tool_that_differs_from_its_table_is_a_note(reported: str, note: str) -> None:
+    program = klartext(f'TOOL CALL "DL+9" Z S1 {reported}\nL X+1\n')
     notes = [found.text for found in program.findings if found.code == "tool-delta"]
     assert (
         len(notes) == bool(note)

@@ -79,11 +79,14 @@ def test_what_is_not_known_stays_an_error(text: str) -> None:
 
 def test_every_line_stays_where_it_is_and_others_as_they_are() -> None:
     text = b"1 L X+1 Y+2\n2 CC X+0 Y+0\n3 CP IPA+90 DR+ M8\n4 STOP\n/5 LP PR+1 PA+0\n"
-    made = without_polar(text).split(b"\n")
+    result = without_polar(text).split(b"\n")
     assert (
-        made[0] == b"1 L X+1 Y+2" and made[1] == b"2 CC X+0 Y+0" and made[3] == b"4 STOP" and len(made) == 6
+        result[0] == b"1 L X+1 Y+2"
+        and result[1] == b"2 CC X+0 Y+0"
+        and result[3] == b"4 STOP"
+        and len(result) == 6
     )
     assert (
-        made[2] == b"3 C X-2.000000000 Y+1.000000000 DR+ M8"
-        and made[4] == b"/5 L X+1.000000000 Y+0.000000000"
+        result[2] == b"3 C X-2.000000000 Y+1.000000000 DR+ M8"
+        and result[4] == b"/5 L X+1.000000000 Y+0.000000000"
     )

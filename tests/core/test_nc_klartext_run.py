@@ -58,15 +58,15 @@ def test_feeds_by_parameter_and_lines_of_the_file() -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "message"),
     [
         ("L X+Q7", "Q7 was never set"), ("FN 18: SYSREAD Q1 = ID210", "not known"), ("Q1 = SYSREAD", "no value"), ("Q1 = 1 / 0", "no number"),
         ("CALL LBL 4", "no line"), ("Q1 = " + "(" * 60 + "1" + ")" * 60, "brackets"), ("Q1 = (2", "missing"), ("Q1 = 2 3 X", "not known"),
     ],
 )  # fmt: skip
-def test_what_is_not_known_is_named_with_its_line(line: str, said: str) -> None:
+def test_what_is_not_known_is_named_with_its_line(line: str, message: str) -> None:
     program = klartext("L X+1\n" + line + "\nL X+8\n")
-    found = [one for one in program.findings if one.severity is Severity.ERROR and said in one.text]
+    found = [one for one in program.findings if one.severity is Severity.ERROR and message in one.text]
     assert found and found[0].line == 5 and program.words[-1, 0] == 8
 
 
@@ -79,8 +79,8 @@ def test_what_does_not_end_is_refused_with_its_line(monkeypatch: pytest.MonkeyPa
 
 
 def drill(number: int, **words: float) -> str:
-    told = " ~\n".join(f"   {name}={value:+} ;NOTE" for name, value in words.items())
-    return f"4 CYCL DEF {number} DRILLING ~\n{told}\n"
+    reported = " ~\n".join(f"   {name}={value:+} ;NOTE" for name, value in words.items())
+    return f"4 CYCL DEF {number} DRILLING ~\n{reported}\n"
 
 
 WORDS = {"Q200": 2, "Q201": -10, "Q206": 150, "Q202": 4, "Q210": 0, "Q203": 1, "Q204": 30, "Q211": 0.1}
@@ -117,14 +117,14 @@ def test_cycle_203_leaves_by_its_own_feed_and_what_is_not_simple_is_named() -> N
         + "L X+5 Y+6 FMAX M99\n"
     )
     assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3"] and program.feed[-1] == 500
-    for words, said in (
+    for words, message in (
         ({"Q213": 3}, "Q256"),
         ({"Q395": 1}, "Q395"),
         ({"Q201": 5}, "depth"),
         ({"Q202": 0}, "infeed"),
     ):
         program = klartext(drill(203, **(WORDS | words)) + "L X+5 Y+6 FMAX M99\n")
-        assert any(said in found.text for found in program.findings if found.severity is Severity.ERROR)
+        assert any(message in found.text for found in program.findings if found.severity is Severity.ERROR)
     program = klartext(drill(251, Q200=2, Q201=-10) + "L X+5 Y+6 FMAX M99\n")
     assert errors(program) == ["cycle-not-interpreted"] * 2
 
@@ -156,12 +156,12 @@ def test_random_formulas_as_python_works_them_out() -> None:
         "INT": "trunc({})",
     }
 
-    def made(depth: int) -> tuple[str, str]:
+    def make_result(depth: int) -> tuple[str, str]:
         kind = rng.random()
         if depth == 0 or kind < 0.25:
             one = rng.choice([*known, "3", "0.5", "12.25"])
             return one, str(known.get(one, one)) if one != "Q2" else "(-0.4)"
-        a, b = made(depth - 1), made(depth - 1)
+        a, b = make_result(depth - 1), make_result(depth - 1)
         if kind < 0.45:
             name = rng.choice([*names])
             return f"{name} ({a[0]})", "(" + names[name].format(a[1]) + ")"
@@ -169,9 +169,9 @@ def test_random_formulas_as_python_works_them_out() -> None:
         return f"({a[0]} {sign} {b[0]})", f"({a[1]} {sign} {b[1]})"
 
     for _ in range(200):
-        own, python = made(4)
-        told = heidenhain_run.Formula(own.replace(" ", ""), lambda name: known[f"Q{name}"]).sum()
-        assert told == pytest.approx(eval(python, vars(math) | {"abs": abs}), rel=1e-12, abs=1e-12)
+        own, python = make_result(4)
+        reported = heidenhain_run.Formula(own.replace(" ", ""), lambda name: known[f"Q{name}"]).sum()
+        assert reported == pytest.approx(eval(python, vars(math) | {"abs": abs}), rel=1e-12, abs=1e-12)
     assert heidenhain_run.Formula("2+3*4-6/2^2", float).sum() == 12.5
 
 

@@ -107,10 +107,10 @@ def guided_texts():
     ac = [f"A{a} C{c}" for c, a in TURNS.tolist()]
     vectors = [[f"{value:.9f}" for value in row] for row in axis.tolist()]
 
-    def rows(first, others, told):
+    def rows(first, others, reported):
         return "\n".join(
             f"{first if k == 0 else others} {place} {way}"
-            for k, (place, way) in enumerate(zip(xyz, told, strict=True))
+            for k, (place, way) in enumerate(zip(xyz, reported, strict=True))
         )
 
     ijk = ["I{} J{} K{}".format(*row) for row in vectors]
@@ -235,7 +235,7 @@ def test_harmless_klartext_is_passed_over(line):
     assert program.words[:, 0].tolist() == [0, 7] and codes_of(program) == []
 
 
-def test_a_text_of_another_language_than_told_is_read_in_its_own_and_said():
+def test_a_text_of_another_language_than_reported_is_read_in_its_own_and_stated():
     program = read(H_HEAD + "2 L X+1 F100\n", "linuxcnc")
     assert program.words[1, 0] == 1 and codes_of(program) == ["other-language"]
     assert "other-language" in codes_of(read("G710 G90 F9\nTRAORI\nG1 X1 Y0 Z0 A0 C0\n", "fanuc"))
@@ -244,7 +244,7 @@ def test_a_text_of_another_language_than_told_is_read_in_its_own_and_said():
 @pytest.mark.parametrize(
     ("controller", "name"), [("heidenhain_m128", "heidenhain"), ("siemens840d", "siemens840d"), ("fanuc", "")]
 )
-def test_a_text_whose_controller_nobody_has_said_is_taken_as_its_own_signs_say(controller, name, tmp_path):
+def test_a_text_whose_controller_nobody_has_stated_is_taken_as_its_own_signs_say(controller, name, tmp_path):
     posted = milled("trunnion_ac", controller=controller, feed_mode="g94", stepover=12.0, rings=6)
     (tmp_path / "a.nc").write_bytes(posted.nc)
     by_text, by_name = (
@@ -380,7 +380,7 @@ def test_the_last_line_of_a_heidenhain_iso_program_is_its_name_once_more() -> No
 
 
 @pytest.mark.parametrize(
-    ("first", "scale", "said"),
+    ("first", "scale", "message"),
     [
         ("%123 G71 *", 1.0, True),
         ("% part1 G70*", 25.4, True),
@@ -389,7 +389,7 @@ def test_the_last_line_of_a_heidenhain_iso_program_is_its_name_once_more() -> No
     ],
 )
 def test_the_first_line_of_a_heidenhain_iso_program_says_its_unit(
-    first: str, scale: float, said: bool
+    first: str, scale: float, message: bool
 ) -> None:
     """A name may look like the unit's word where it begins right after the %."""
     program = read(
@@ -397,7 +397,7 @@ def test_the_first_line_of_a_heidenhain_iso_program_says_its_unit(
         "heidenhain",
     )
     np.testing.assert_allclose(program.words[1, [0, 3, 4]], [5 * scale, 0, 3])
-    assert ("units-not-said" in codes_of(program)) is not said
+    assert ("units-not-said" in codes_of(program)) is not message
 
 
 @pytest.mark.parametrize("line", ["M66E0L0", "M66 P0 L0", "M3 $0 S1", "(a (nested (twice)) comment X9)"])
@@ -406,7 +406,7 @@ def test_lines_of_linuxcnc_that_are_no_moves_are_read_without_a_word(line: str) 
     assert program.words[:, 0].tolist() == [0, 5] and program.findings == ()
 
 
-def test_polar_words_are_said_to_be_missing() -> None:
+def test_polar_words_are_stated_to_be_missing() -> None:
     program = read("G21 G90 G94 F100\nG0 X0 Y0 Z0 A0 C0\nG1 @5 ^30\nG1 X5\n", "linuxcnc")
     assert [found.code for found in program.findings] == ["macro-not-interpreted"]
 

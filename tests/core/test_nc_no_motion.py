@@ -118,10 +118,10 @@ def test_a_wrong_value_is_refused_in_one_line(value, tmp_path, capsys) -> None:
     with pytest.raises(MachineError, match="no_motion"):
         load_machine(tmp_path / "a.fcm")
     assert main(["audit", str(tmp_path / "a.ngc"), "--machine", str(tmp_path / "a.fcm")]) == 2
-    said = capsys.readouterr().err.strip()
+    message = capsys.readouterr().err.strip()
     shown = value[0] if isinstance(value, list) else value
-    assert "\n" not in said and "no_motion" in said and str(shown)[:4].upper() in said.upper()
-    assert any(remedy in said for remedy in ("write", "leave it out"))
+    assert "\n" not in message and "no_motion" in message and str(shown)[:4].upper() in message.upper()
+    assert any(remedy in message for remedy in ("write", "leave it out"))
 
 
 def test_the_audit_of_a_machine_with_its_own_names(tmp_path, capsys) -> None:

@@ -42,14 +42,14 @@ def program(
 def test_the_examples_of_the_manual(kinematics: Chain, c: float, seq: str, a_c: tuple[float, float]) -> None:
     """iTNC 530, DIN/ISO programming, 6/2010, page 404: a rotary table C on a tilting table A, SPA+0 SPB+45
     SPC+0."""
-    made = program(
+    result = program(
         f"PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY {seq}\nL A+Q120 C+Q122 R0 FMAX", kinematics, (c, 0)
     )
-    assert not errors(made), made.findings
-    assert made.words[1, 4] == pytest.approx(a_c[0]) and (made.words[1, 3] - a_c[1]) % 360 == pytest.approx(
-        0, abs=1e-9
-    )
-    axis = poses(made, kinematics)[1]
+    assert not errors(result), result.findings
+    assert result.words[1, 4] == pytest.approx(a_c[0]) and (
+        result.words[1, 3] - a_c[1]
+    ) % 360 == pytest.approx(0, abs=1e-9)
+    axis = poses(result, kinematics)[1]
     np.testing.assert_allclose(axis[-1], [0.5**0.5, 0, 0.5**0.5], atol=1e-9)
 
 
@@ -58,11 +58,11 @@ def test_the_examples_of_the_manual(kinematics: Chain, c: float, seq: str, a_c: 
     [("SPA90 SPB0 SPC90", (180, 270)), ("SPA-90 SPB0 SPC-90", (180, 270)), ("SPA90 SPB0 SPC180", (180, 0)), ("SPA0 SPB0 SPC0", (0, 0))],
 )  # fmt: skip
 def test_a_head_at_its_rim_is_no_pole(plane: str, b_c: tuple[float, float]) -> None:
-    made = program(f"PLANE SPATIAL {plane} STAY SEQ+ TABLE ROT\nL B+Q121 C+Q122 R0 F MAX M126", DUO)
-    assert not errors(made), made.findings
-    assert made.words[-1, 4] == pytest.approx(b_c[0]) and (made.words[-1, 3] - b_c[1]) % 360 == pytest.approx(
-        0, abs=1e-9
-    )
+    result = program(f"PLANE SPATIAL {plane} STAY SEQ+ TABLE ROT\nL B+Q121 C+Q122 R0 F MAX M126", DUO)
+    assert not errors(result), result.findings
+    assert result.words[-1, 4] == pytest.approx(b_c[0]) and (
+        result.words[-1, 3] - b_c[1]
+    ) % 360 == pytest.approx(0, abs=1e-9)
 
 
 @pytest.mark.parametrize("kinematics", [TRUNNION, MIXED])
@@ -74,14 +74,16 @@ def test_a_free_table_turns_with_the_plane_where_it_shall(kinematics: Chain) -> 
     np.testing.assert_allclose(
         table.words[-1, :3] - table.words[-2, :3], [10, 0, 0], atol=1e-9
     )  # the plane's X is the machine's
-    for told in ("COORD ROT", ""):
-        stays = program(f"PLANE SPATIAL SPA+0 SPB+0 SPC+90 STAY {told}\n{turning}", kinematics, (20, 0), cuts)
+    for reported in ("COORD ROT", ""):
+        stays = program(
+            f"PLANE SPATIAL SPA+0 SPB+0 SPC+90 STAY {reported}\n{turning}", kinematics, (20, 0), cuts
+        )
         assert stays.words[-1, 3] == pytest.approx(20)
 
 
 def test_turn_with_table_rot_turns_the_free_table_too() -> None:
-    made = program("PLANE SPATIAL SPA+0 SPB+0 SPC+90 TURN FMAX TABLE ROT")
-    assert made.words[1, 3] == pytest.approx(90) and not errors(made)
+    result = program("PLANE SPATIAL SPA+0 SPB+0 SPC+90 TURN FMAX TABLE ROT")
+    assert result.words[1, 3] == pytest.approx(90) and not errors(result)
 
 
 def test_labels_formulas_and_jumps_read_the_angles() -> None:
@@ -89,28 +91,28 @@ def test_labels_formulas_and_jumps_read_the_angles() -> None:
         "CALL LBL 7\nQ5 = Q120 * 2\nFN 12: IF +Q5 LT +50 GOTO LBL 9\nL A+Q120 C+Q122 FMAX\nFN 9: IF +0 EQU +0 GOTO LBL 8\n"
         "LBL 7\nPLANE SPATIAL SPA+30 SPB+0 SPC+0 STAY SEQ+\nLBL 0\nLBL 9\nSTOP\nLBL 8"
     )
-    made = program(text)
-    lies(made, TRUNNION, (0, 0, 0), np.array([[1, 0, 0], [0, 0.75**0.5, -0.5], [0, 0.5, 0.75**0.5]]))
-    notes = [found for found in made.findings if found.code == "plane-solution"]
+    result = program(text)
+    lies(result, TRUNNION, (0, 0, 0), np.array([[1, 0, 0], [0, 0.75**0.5, -0.5], [0, 0.5, 0.75**0.5]]))
+    notes = [found for found in result.findings if found.code == "plane-solution"]
     assert [found.line for found in notes] == [9]
 
 
 def test_planes_that_add_turn_or_end_go_on_from_where_the_axes_stand() -> None:
-    made = program(
+    result = program(
         "PLANE SPATIAL SPA+10 SPB+0 SPC+0 STAY SEQ+\nPLANE RELATIV SPA+20 STAY SEQ+\nL A+Q120 C+Q122 FMAX\nL X+1 FMAX",
         cuts="",
     )
-    assert made.words[-1, 4] == pytest.approx(30)
-    made = program(
+    assert result.words[-1, 4] == pytest.approx(30)
+    result = program(
         "L C+270 FMAX\nL IC+80 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 STAY\nL C+Q122 A+Q120 FMAX\nL X+1 FMAX",
         cuts="",
     )
-    assert made.words[-1, 3] == pytest.approx(350)
-    made = program(
+    assert result.words[-1, 3] == pytest.approx(350)
+    result = program(
         "PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN FMAX\nPLANE RESET STAY\nL A+Q120 C+Q122 FMAX\nL X+1 FMAX",
         cuts="",
     )
-    assert made.words[-1, 3:].tolist() == [0, 0] and not errors(made)
+    assert result.words[-1, 3:].tolist() == [0, 0] and not errors(result)
 
 
 def test_what_leaves_them_unset_or_unreachable_is_named() -> None:

@@ -149,11 +149,11 @@ def test_vectors_and_euler_angles_of_heidenhain() -> None:
     turn = Rotation.from_euler("ZXZ", [20, 30, -40], degrees=True).as_matrix()
     lies(klartext("PLANE EULER EULPR+20 EULNU+30 EULROT-40 TURN FMAX"), TRUNNION, (0, 0, 0), turn)
     b, n = turn[:, 0] * 3.0 + turn[:, 2], turn[:, 2] * 0.5
-    told = " ".join(
+    reported = " ".join(
         f"{name}{value:+.12f}"
         for name, value in zip(("BX", "BY", "BZ", "NX", "NY", "NZ"), (*b, *n), strict=True)
     )
-    lies(klartext(f"PLANE VECTOR {told} TURN FMAX SEQ+"), TRUNNION, (0, 0, 0), turn)
+    lies(klartext(f"PLANE VECTOR {reported} TURN FMAX SEQ+"), TRUNNION, (0, 0, 0), turn)
 
 
 def test_turn_stands_and_move_keeps_the_tip() -> None:
@@ -220,17 +220,17 @@ def test_what_cannot_be_taken_up_is_named() -> None:
 
 
 @pytest.mark.parametrize(
-    ("plane", "said"),
+    ("plane", "message"),
     [
         ("G68.2 P1 X0 Y0 Z0 I10 J20 K30", "P1"), ("G68.2 X0 Y0 Z0 I10 J20 K30 R5", "R is not"),
         ("G68.2 I0 J30 K0\nG68.2 I0 J20 K0", "another plane"), ("\nG69", "no tilted plane"),
     ],
 )  # fmt: skip
-def test_forms_of_fanuc_that_are_not_known_are_named(plane: str, said: str) -> None:
+def test_forms_of_fanuc_that_are_not_known_are_named(plane: str, message: str) -> None:
     program = iso(plane)
     found = [one for one in program.findings if one.code == "offset-not-interpreted"]
-    assert said in found[0].text and found[0].line == (
-        6 if said == "no tilted plane" else 4 + plane.count("\n")
+    assert message in found[0].text and found[0].line == (
+        6 if message == "no tilted plane" else 4 + plane.count("\n")
     )
     assert found[0].severity is Severity.ERROR
 

@@ -132,7 +132,7 @@ def test_an_inverse_time_block_without_its_own_f_is_an_error() -> None:
     assert kinds(program) == [("inverse-feed-missing", ERROR)] and program.findings[0].line == 4
 
 
-def test_axes_that_the_first_block_does_not_name_are_said_to_be_taken_as_zero() -> None:
+def test_axes_that_the_first_block_does_not_name_are_stated_to_be_taken_as_zero() -> None:
     program = read(b"G21\nG0 X5 C7\nG1 Z3 F1\n")
     assert program.words.tolist() == [[5, 0, 0, 7, 0], [5, 0, 3, 7, 0]]
     assert kinds(program) == [("position-unknown", NOTE)] and "A, Y, Z" in program.findings[0].text
@@ -204,7 +204,7 @@ def test_moves_to_machine_positions_and_dwells_are_no_blocks() -> None:
     assert len(read(HEAD + b"G28 Z0\nG53 G0 Z0\nG4 X1.5\nG10 L2 P1 X1\n").words) == 1
 
 
-def test_axis_words_before_any_motion_code_are_said_to_be_taken_as_g1() -> None:
+def test_axis_words_before_any_motion_code_are_stated_to_be_taken_as_g1() -> None:
     program = read(b"G21 F100\nX1 Y0 Z0 A0 C0\nG1 X2\n")
     assert kinds(program) == [("no-motion-code", WARNING)] and program.motion[0] == Motion.CUT
 
@@ -317,13 +317,13 @@ FAR_AXIS = b"""0 BEGIN PGM 1 MM
 
 
 @pytest.mark.parametrize("machine", BARE)
-def test_an_axis_beyond_the_limits_comes_to_an_end_and_stands_where_it_is_told(machine: str) -> None:
+def test_an_axis_beyond_the_limits_comes_to_an_end_and_stands_where_it_is_reported(machine: str) -> None:
     kinematics = chain(load_machine(machine), Setup((0.0, 0.0, 0.0), 100.0))
     program = read_nc(FAR_AXIS, kinematics, DIALECTS["heidenhain"])
     lost = [found for found in program.findings if found.code == "axis-not-reachable"]
-    told = np.array([[0, 0, 1], [-0.1765610, 0.2881214, -1], [-0.18, 0.28, 0.94]])
-    told /= np.linalg.norm(told, axis=1)[:, None]
-    off = np.linalg.norm(forward(kinematics, words_to_q(program.words))[1] - told, axis=1)
+    reported = np.array([[0, 0, 1], [-0.1765610, 0.2881214, -1], [-0.18, 0.28, 0.94]])
+    reported /= np.linalg.norm(reported, axis=1)[:, None]
+    off = np.linalg.norm(forward(kinematics, words_to_q(program.words))[1] - reported, axis=1)
     assert off[[0, 2]].max() < 1e-9 and (off[1] < 1e-9 or lost)
 
 
@@ -344,9 +344,9 @@ def test_the_machine_file_rules_how_a_rotary_word_is_taken(controller: str) -> N
     for wrap in ("unwound", "rezero"):
         assert by_file[wrap].words[:, 3].tolist() == [350, 359.857, 7.501]
         assert ("wrap-contradicted", WARNING) in kinds(by_file[wrap])
-    said = [found for found in by_file["modulo"].findings if found.code == "wrap-contradicted"]
-    assert len(said) == (0 if controller == "fanuc" else 1) and all(
-        "only if it is set" in one.text for one in said
+    message = [found for found in by_file["modulo"].findings if found.code == "wrap-contradicted"]
+    assert len(message) == (0 if controller == "fanuc" else 1) and all(
+        "only if it is set" in one.text for one in message
     )
 
 
@@ -364,7 +364,7 @@ def test_words_that_count_on_contradict_a_machine_file_that_says_modulo() -> Non
 UNSAID = b"G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X10 A90 F40\nG2 X12 Y0 I1 J0\n"
 
 
-def test_units_that_nobody_said_are_a_warning_that_weighs_size_and_feed() -> None:
+def test_units_that_nobody_stated_are_a_warning_that_weighs_size_and_feed() -> None:
     (doubted,) = [found for found in read(UNSAID).findings if found.code == "units-not-said"]
     assert doubted.severity is WARNING and "rather those of inches" in doubted.text and "12" in doubted.text
     (taken,) = [
@@ -374,18 +374,18 @@ def test_units_that_nobody_said_are_a_warning_that_weighs_size_and_feed() -> Non
 
 
 @pytest.mark.parametrize(
-    ("mode", "said"),
+    ("mode", "message"),
     [("G93", "No F is per minute"), ("G95", "No F is per minute"), ("G94", "at F up to 900")],
 )
-def test_an_f_that_is_not_per_minute_says_nothing_of_the_units(mode: str, said: str) -> None:
+def test_an_f_that_is_not_per_minute_says_nothing_of_the_units(mode: str, message: str) -> None:
     program = read(UNSAID.replace(b"G94", mode.encode()).replace(b"F40", b"F900").replace(b"J0", b"J0 F900"))
     (found,) = [found for found in program.findings if found.code == "units-not-said"]
-    assert said in found.text and "up to 0" not in found.text
+    assert message in found.text and "up to 0" not in found.text
     assert "moves 90 mm" not in found.text and "moves 12 mm" in found.text
 
 
 @pytest.mark.parametrize(("units", "scale"), [("mm", 1.0), ("inch", 25.4)])
-def test_units_that_are_told_hold_where_the_program_says_none(units: str, scale: float) -> None:
+def test_units_that_are_reported_hold_where_the_program_says_none(units: str, scale: float) -> None:
     program = read_nc(UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
     assert program.words[1].tolist() == [10 * scale, 0, 0, 0, 90] and program.feed[1] == pytest.approx(
         40 * scale
@@ -394,8 +394,8 @@ def test_units_that_are_told_hold_where_the_program_says_none(units: str, scale:
     top = program.words[2:, 1].max()
     assert top == pytest.approx(scale, rel=1e-2)  # the arc is of radius 1 in the same units
     assert "units-not-said" not in [found.code for found in program.findings]
-    said = read_nc(b"G21 " + UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
-    assert said.words[1, 0] == 10  # what the program says goes before
+    message = read_nc(b"G21 " + UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
+    assert message.words[1, 0] == 10  # what the program says goes before
 
 
 BARE = b"O1\nG21 G90 G94\nG0 X0 Y0 Z10\nA0 C0\nG1 X100 Y50. Z0 F1000\nX150 A10 C5\nM30\n"

@@ -74,5 +74,5 @@ def test_the_program_lies_beside_or_in_a_folder_that_is_named(
     assert main([*job, str(apart / "main.mpf"), "--search", str(apart), "--search", str(folder)]) == 0
     capsys.readouterr()
     assert main([*job, str(apart / "main.mpf"), "--search", "nowhere"]) == 2
-    said = capsys.readouterr().err.splitlines()
-    assert len(said) == 1 and "--search nowhere is no folder; name one" in said[0]
+    message = capsys.readouterr().err.splitlines()
+    assert len(message) == 1 and "--search nowhere is no folder; name one" in message[0]

@@ -69,7 +69,7 @@ def test_each_cycle_goes_down_and_out_in_its_own_way(cycle: str, moves: str, fee
         ("-5,,,9", [-5]),
     ],
 )  # fmt: skip
-def test_pecks_get_smaller_as_they_are_told(values: str, depths: list[float]) -> None:
+def test_pecks_get_smaller_as_they_are_reported(values: str, depths: list[float]) -> None:
     program = read(f"CYCLE83(10,0,2,{values})\n")
     down = program.words[1:, 2][np.diff(program.words[:, 2]) < 0]
     down = down[1:]  # after the rapid to the safety clearance
@@ -131,7 +131,7 @@ def test_a_cycle_after_trans_and_in_a_tilted_plane_drills_along_its_axis() -> No
 
 
 @pytest.mark.parametrize(
-    ("call", "said"),
+    ("call", "message"),
     [
         ("CYCLE86(10,0,2,-5,,0,3,1,0,0)", "RPA=1"), ("CYCLE86(10,0,2,-5,,0,3,0,0.5,0)", "RPO=0.5"), ("CYCLE86(10,0,2,-5,,0,3,0,0,1)", "RPAP=1"),
         ("CYCLE81(10,0,2,-5,,0,1,0,0)", "_GMODE=1"), ("CYCLE82(10,0,2,-5,,0,1)", "_GMODE=1"), ("CYCLE82(10,0,2,-5,,0,0,0,10,0,0,0,3,50)", "S_ZD=3"),
@@ -144,10 +144,12 @@ def test_a_cycle_after_trans_and_in_a_tilted_plane_drills_along_its_axis() -> No
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("modal", ["", "MCALL "])
-def test_what_is_not_known_of_a_cycle_is_named_and_drills_nothing(call: str, said: str, modal: str) -> None:
+def test_what_is_not_known_of_a_cycle_is_named_and_drills_nothing(
+    call: str, message: str, modal: str
+) -> None:
     program = read(f"G1 X7\n{modal}{call}\nX9\n{modal}\nX8\n")
     found = [one for one in program.findings if one.severity is Severity.ERROR]
-    assert said in found[0].text and found[0].line in (4, 5) and "post" in found[0].text
+    assert message in found[0].text and found[0].line in (4, 5) and "post" in found[0].text
     assert path(program) == ["f 7 6 50", "f 9 6 50", "f 8 6 50"]
 
 

@@ -29,17 +29,17 @@ def test_named_variables_are_read(text: str, ends: list[float]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "message"),
     [
         ("DEF REAL A[3]\n", "A"),
         ("DEF AXIS _X\nX=_X\n", "interpreted"),
         ("IF _B>1\nX2\nENDIF\n_B=1\n", "_B was never set"),
     ],
 )
-def test_variables_without_a_value_here_are_named(text: str, said: str) -> None:
+def test_variables_without_a_value_here_are_named(text: str, message: str) -> None:
     found = read(HEAD + text + "X8\n", "siemens840d").findings
     found = next(one for one in found if one.severity is Severity.ERROR)
-    assert said in found.text and found.code == "macro-not-interpreted"
+    assert message in found.text and found.code == "macro-not-interpreted"
 
 
 @pytest.mark.parametrize(

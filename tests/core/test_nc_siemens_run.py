@@ -30,13 +30,13 @@ def test_r_parameters_and_jumps_are_run(text: str, ends: list[float]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "message"),
     [("X=R7", "R7 was never set"), ("R1=5 DIV 2", "not known"), ("IF R1==2", "no end"), ("GOTOF NOWHERE", "no line")],
 )  # fmt: skip
-def test_what_is_not_known_is_named_with_its_line(line: str, said: str) -> None:
+def test_what_is_not_known_is_named_with_its_line(line: str, message: str) -> None:
     program = read(HEAD + line + "\nX8\n", "siemens840d")
     found = [one for one in program.findings if one.severity is Severity.ERROR]
-    assert said in found[0].text and found[0].line == 3 + line.count("\n") and program.words[-1, 0] == 8
+    assert message in found[0].text and found[0].line == 3 + line.count("\n") and program.words[-1, 0] == 8
 
 
 def test_a_loop_that_does_not_end_is_refused_and_findings_keep_their_lines(

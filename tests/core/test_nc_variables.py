@@ -90,19 +90,19 @@ def test_a_value_means_itself_where_words_count_the_least_increment() -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "said", "controller"),
+    ("line", "message", "controller"),
     [
         ("G1 X#5021", "#5021", "haas"), ("#5221=3", "#5221", "linuxcnc"), ("#3000=1", "#3000", "fanuc"), ("G1 X#500", "#500", "haas"), ("G1 X#<_x>", "#<_x>", "linuxcnc"),
         ("G1 X[1/0]", "no number", "haas"), ("G1 X[SQRT[-1]]", "no number", "linuxcnc"), ("G1 X[EXP[999]]", "no number", "linuxcnc"),
         ("G1 X[1", "missing", "haas"), ("G1 X#<a>", "never set", "linuxcnc"), ("#1=", "no value", "linuxcnc"), ("G1 X[2**999]", "beyond", "linuxcnc"),
     ],
 )  # fmt: skip
-def test_a_value_that_nobody_knows_is_named_with_its_line(line: str, said: str, controller: str) -> None:
+def test_a_value_that_nobody_knows_is_named_with_its_line(line: str, message: str, controller: str) -> None:
     program = read(HEAD + "G1 X3\n" + line + "\nG1 X7\n", controller)
     found = [one for one in program.findings if one.severity is Severity.ERROR]
     assert (
         [one.code for one in found] == ["macro-not-interpreted"]
-        and said in found[0].text
+        and message in found[0].text
         and found[0].line == 4
     )
     assert program.words[:, 0].tolist()[-1] == 7 and len(program.words) == 3
@@ -132,6 +132,6 @@ def test_any_expression_has_linuxcncs_value(tmp_path: Path) -> None:
         + "M2\n"
     )
     (tmp_path / "a.ngc").write_text(text)
-    said = judged(tmp_path / "a.ngc")
-    assert not said.refused, said.refused
-    assert abs(read(text).words[:, 0] - said.ends[-301:, 0]).max() <= said.off
+    message = judged(tmp_path / "a.ngc")
+    assert not message.refused, message.refused
+    assert abs(read(text).words[:, 0] - message.ends[-301:, 0]).max() <= message.off

@@ -48,11 +48,11 @@ def feed_blocks(program):
     return np.flatnonzero(program.motion[1:] != Motion.RAPID)
 
 
-def deepest(made):
+def deepest(outcome):
     """How deep the cutter goes on any feed block, mm, by the judge."""
-    blocks = feed_blocks(made.program)
+    blocks = feed_blocks(outcome.program)
     return gouge_judge.judged(
-        made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks
+        outcome.mesh, outcome.settings.cutter.cutter, outcome.kinematics, outcome.program.words, blocks
     ).worst
 
 

@@ -35,13 +35,13 @@ def settings(controller: str, **options):
 @some_in_core("controller", DIALECTS, kept=(0, 2, 4, 6))
 def test_a_new_speed_gives_the_bytes_and_the_report_of_the_whole_job(controller) -> None:
     whole = [job.prove(job.make(settings(controller, **speed), mesh=GABLE)) for speed in SPEEDS]
-    told = [as_json(job.figures(one)) for one in whole]
-    assert len({one.draft.nc for one in whole}) == 2 and len(set(told)) == 3
+    reported = [as_json(job.figures(one)) for one in whole]
+    assert len({one.draft.nc for one in whole}) == 2 and len(set(reported)) == 3
     for given in whole:
-        for wanted, said in zip(whole, told, strict=True):
+        for wanted, message in zip(whole, reported, strict=True):
             result = change_speed(given, wanted.draft.settings)
             assert result.draft.nc == wanted.draft.nc and result.findings == wanted.findings
-            assert as_json(job.figures(result)) == said
+            assert as_json(job.figures(result)) == message
 
 
 def test_jobs_differ_in_their_heads_only_where_nothing_but_speed_and_coolant_differs() -> None:

@@ -122,7 +122,7 @@ def test_the_same_is_cut_with_less_between(part, monkeypatch):
     monkeypatch.setattr(assign_axes, "order_with_axes", lambda path, axis: (path, axis))
     without = milled()
     assert moves(with_axes.offset, with_axes.axis) == moves(without.offset, without.axis)
-    numbers = [summary(job.figures(job.prove(made))) for made in (with_axes, without)]
+    numbers = [summary(job.figures(job.prove(result))) for result in (with_axes, without)]
     between = [one["link_length"] + one["rapid_length"] for one in numbers]
     assert between[0] < between[1]
     assert numbers[0]["cut_length"] == pytest.approx(numbers[1]["cut_length"], rel=0.01)

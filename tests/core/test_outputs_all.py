@@ -133,10 +133,10 @@ def test_what_may_not_be_replaced_is_refused_by_name(tmp_path, act):
     (tmp_path / "folder").mkdir()
     (tmp_path / "loop").symlink_to("loop")
     (tmp_path / "link").symlink_to("mine.ngc")
-    for name, said in (("mine.ngc", "is read-only; make it writable"), ("pipe", "no ordinary file"), ("folder", "is a folder"),
+    for name, message in (("mine.ngc", "is read-only; make it writable"), ("pipe", "no ordinary file"), ("folder", "is a folder"),
                        ("loop", "levels of symbolic links; choose another name"), ("link", "is read-only"), (os.devnull, "no ordinary file"),
                        ("n" * 256, "name too long; choose another name")):  # fmt: skip
-        with pytest.raises(FileError, match=said) as error:
+        with pytest.raises(FileError, match=message) as error:
             act(tmp_path / name)
         assert name[-8:] in str(error.value)
     assert read_only.read_bytes() == b"old" and len(os.listdir(tmp_path)) == 5
@@ -155,20 +155,20 @@ def test_a_name_as_long_as_a_name_can_be_is_written(tmp_path):
 def test_what_is_no_ordinary_file_is_not_read(tmp_path, kind, monkeypatch):
     monkeypatch.chdir(tmp_path)  # a socket's name is short
     path = "/dev/zero" if kind == "device" else kind
-    made = socket.socket(socket.AF_UNIX)
-    {"pipe": os.mkfifo, "socket": made.bind, "folder": os.mkdir, "device": os.stat}[kind](path)
+    result = socket.socket(socket.AF_UNIX)
+    {"pipe": os.mkfifo, "socket": result.bind, "folder": os.mkdir, "device": os.stat}[kind](path)
     with pytest.raises(FileError, match="is a folder" if kind == "folder" else "no ordinary file"):
         read_bytes(path, "machine file")
-    made.close()
+    result.close()
 
 
 @posix
 def test_a_pipe_that_takes_the_files_place_is_not_waited_for(tmp_path, monkeypatch):
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "file").write_bytes(b"")
-    ordinary, told = os.stat(tmp_path / "file"), os.stat
+    ordinary, reported = os.stat(tmp_path / "file"), os.stat
     monkeypatch.setattr(
-        os, "stat", lambda path, **how: ordinary if str(path).endswith("pipe") else told(path, **how)
+        os, "stat", lambda path, **how: ordinary if str(path).endswith("pipe") else reported(path, **how)
     )
     with pytest.raises(FileError, match="no ordinary file"):
         read_bytes(tmp_path / "pipe", "STL file")

@@ -74,6 +74,6 @@ def test_a_program_leaves_them_out_and_says_so_instead_of_calling_them_too_tight
         "stepover": 2.0,
         "linearize": "off",
     }
-    made = job.make(build_settings("mill", "part.stl", given | {"gouge": "off"}), mesh=post_in_plate())
-    codes = {one.code: one for one in made.findings}
+    draft = job.make(build_settings("mill", "part.stl", given | {"gouge": "off"}), mesh=post_in_plate())
+    codes = {one.code: one for one in draft.findings}
     assert "facets-inside" in codes and codes["facets-inside"].value > 200.0

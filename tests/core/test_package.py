@@ -200,6 +200,6 @@ def test_the_installed_command_lists_and_mills_in_another_folder(scripts, tmp_pa
         "dome.apt",
         cwd=tmp_path,
     )
-    made = sorted(path.name for path in tmp_path.iterdir())
-    assert made == ["dome.apt", "dome.csv", "dome.html", "dome.json", "dome.ngc", "parts"]
+    result = sorted(path.name for path in tmp_path.iterdir())
+    assert result == ["dome.apt", "dome.csv", "dome.html", "dome.json", "dome.ngc", "parts"]
     assert "\nM2" in (tmp_path / "dome.ngc").read_text()

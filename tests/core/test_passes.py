@@ -263,7 +263,7 @@ def test_a_pass_of_several_polylines_goes_along_the_travel():
     np.testing.assert_allclose(slice_mesh(mesh, [-0.5], np.pi).point[2 * first][:, 0], [7.0, 4.0, 1.0])
 
 
-def test_open_and_closed_polylines_in_one_pass_are_told_apart():
+def test_open_and_closed_polylines_in_one_pass_are_distinguished():
     sheet = field(8, lambda x, y: -1.0 + 0.0 * x) - [4.0, 0.0, 0.0]
     mesh = from_triangles(
         np.concatenate(
@@ -367,7 +367,7 @@ def test_levels_count_the_planes_at_or_below():
 
 
 @pytest.mark.parametrize(
-    ("offsets", "angle", "keep", "said"),
+    ("offsets", "angle", "keep", "message"),
     [
         ([1.0, 0.5], 0.0, None, "ascending"),
         ([np.nan], 0.0, None, "finite"),
@@ -377,12 +377,12 @@ def test_levels_count_the_planes_at_or_below():
         ([0.5], 0.0, np.ones(11, dtype=bool), "12 facets"),
     ],
 )
-def test_settings_that_cannot_be_used_are_refused(offsets, angle, keep, said):
-    with pytest.raises(SettingsError, match=said):
+def test_settings_that_cannot_be_used_are_refused(offsets, angle, keep, message):
+    with pytest.raises(SettingsError, match=message):
         slice_mesh(from_triangles(box()), offsets, angle, keep)
 
 
-def test_progress_is_told_from_nothing_to_all():
+def test_progress_is_reported_from_nothing_to_all():
     heard = []
     slice_mesh(from_triangles(box()), [0.5], 0.0, None, lambda stage, fraction: heard.append(fraction))
     assert heard[0] == 0.0 and heard[-1] == 1.0 and heard == sorted(heard)

@@ -101,15 +101,15 @@ def test_passes_in_one_direction_keep_it_and_those_to_and_fro_spare_air():
             "stepover": 2,
             "max_axis_angle": 60,
         }
-        made = job.make(
+        draft = job.make(
             build_settings("mill", "part", {**options, "order": order, "passes": "scallop", "gouge": "off"}),
             mesh=mesh,
         )
-        first = np.flatnonzero(np.diff(made.contact.polyline, prepend=-1))
+        first = np.flatnonzero(np.diff(draft.contact.polyline, prepend=-1))
         return np.stack(
             [
-                made.contact.point[first],
-                made.contact.point[np.append(first[1:], len(made.contact.point)) - 1],
+                draft.contact.point[first],
+                draft.contact.point[np.append(first[1:], len(draft.contact.point)) - 1],
             ],
             axis=1,
         )

@@ -95,14 +95,14 @@ def test_the_dome_passes_the_pole(milled):
     assert {finding.code for finding in result.findings} >= {"singular-block", "deviation-over-tolerance"}
 
 
-def least_ball_clearance(made, radius):
+def least_ball_clearance(outcome, radius):
     """How near the ball comes to the part's box on rapids, mm, along their real path: 101 points a block."""
-    low, high = made.mesh.vertex.min(axis=0), made.mesh.vertex.max(axis=0)
-    q, rapid = words_to_q(made.program.words), made.program.motion == Motion.RAPID
+    low, high = outcome.mesh.vertex.min(axis=0), outcome.mesh.vertex.max(axis=0)
+    q, rapid = words_to_q(outcome.program.words), outcome.program.motion == Motion.RAPID
     end = np.flatnonzero(rapid)[1:]
     u = np.linspace(0, 1, 101)[None, :, None]
     walk = q[end - 1][:, None] * (1 - u) + q[end][:, None] * u
-    tip, axis = forward(made.kinematics, walk.reshape(-1, 5))
+    tip, axis = forward(outcome.kinematics, walk.reshape(-1, 5))
     centre = tip + radius * axis
     return np.linalg.norm(np.maximum(0, np.maximum(low - centre, centre - high)), axis=1).min() - radius
 
@@ -122,9 +122,9 @@ def test_a_narrow_first_axis_never_swings_the_ball_beside_the_part(parts, tmp_pa
     save_machine(replace(machine, axes=tuple(narrow)), tmp_path / "narrow.fcm")
     options = {"machine": str(tmp_path / "narrow.fcm"), "cutter": "ball:30", "stepover": 6, "direction": 30}
     for part in ("half_cylinder", "dome"):
-        made = job.make(build_settings("mill", str(parts / f"{part}.stl"), options))
-        assert np.ptp(made.program.words[:, 3]) <= 180.0 and np.ptp(made.program.words[:, 4]) > 100.0
-        assert least_ball_clearance(made, 15.0) > 5.0
+        outcome = job.make(build_settings("mill", str(parts / f"{part}.stl"), options))
+        assert np.ptp(outcome.program.words[:, 3]) <= 180.0 and np.ptp(outcome.program.words[:, 4]) > 100.0
+        assert least_ball_clearance(outcome, 15.0) > 5.0
 
 
 @pytest.mark.rs274

@@ -63,12 +63,12 @@ def off_lines(point, preview):
 @pytest.mark.thorough
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: "-".join(map(str, way.values())))
 def test_every_cut_contact_of_the_path_lies_on_a_line(way):
-    mesh, asked = dome(), settings(**way)
-    found, made = preview_passes(asked, mesh=mesh), job.make(asked, mesh=mesh)
-    cut = made.path.contact[made.path.motion == Motion.CUT]
+    mesh, wanted = dome(), settings(**way)
+    found, result = preview_passes(wanted, mesh=mesh), job.make(wanted, mesh=mesh)
+    cut = result.path.contact[result.path.motion == Motion.CUT]
     assert len(cut) > 300 and off_lines(cut, found).max() < 1e-6
-    assert found.passes == len(np.unique(made.offset.pass_)) and len(found.sizes) == found.polyline[-1] + 1
-    line = made.offset
+    assert found.passes == len(np.unique(result.offset.pass_)) and len(found.sizes) == found.polyline[-1] + 1
+    line = result.offset
     on = np.flatnonzero((np.diff(line.polyline) == 0) & ~line.fill[1:])
     assert found.length == pytest.approx(
         np.linalg.norm(line.point[on + 1] - line.point[on], axis=1).sum(), rel=1e-9
@@ -90,21 +90,21 @@ def test_on_a_plate_number_length_and_time_are_closed_forms():
 
 
 @pytest.mark.parametrize("passes", ["scallop", "planes"])
-def test_of_very_many_passes_some_are_laid_and_length_and_time_are_those_of_all(passes, monkeypatch):
-    mesh, asked = dome(), settings(passes=passes, scallop=0.01)
+def test_of_very_many_passes_some_are_planned_and_length_and_time_are_those_of_all(passes, monkeypatch):
+    mesh, wanted = dome(), settings(passes=passes, scallop=0.01)
     monkeypatch.setattr(preview, "SQUARES", math.inf)
-    whole = preview_passes(asked, mesh=mesh)
+    whole = preview_passes(wanted, mesh=mesh)
     monkeypatch.setattr(preview, "SQUARES", 400.0)
-    some = preview_passes(asked, mesh=mesh)
+    some = preview_passes(wanted, mesh=mesh)
     assert whole.one_in == 1 and some.one_in == 3 and len(some.point) < 0.5 * len(whole.point)
     assert some.length == pytest.approx(whole.length, rel=0.08) and some.time == pytest.approx(
         60.0 * some.length / some.feed
     )
     assert some.passes < 0.6 * whole.passes and len(some.sizes) < 0.6 * len(whole.sizes)
-    asked = settings(
+    wanted = settings(
         passes=passes, scallop=1.5
     )  # no passes are laid that leave a multiple of the cutter's radius
-    assert preview_passes(asked, mesh=mesh).one_in == 1
+    assert preview_passes(wanted, mesh=mesh).one_in == 1
 
 
 def test_faces_and_boundary_leave_out_what_they_leave_out_of_the_path(tmp_path):
@@ -112,9 +112,12 @@ def test_faces_and_boundary_leave_out_what_they_leave_out_of_the_path(tmp_path):
     curve.write_text("4,4,0\n16,4,0\n16,16,0\n4,16,0\n4,4,0\n")
     faces = mesh.vertex[mesh.face].mean(axis=1)[:, 0] < 12.0
     for more in ({}, {"boundary": str(curve)}, {"boundary": str(curve), "boundary_by": "centre"}):
-        asked = settings(passes="planes", stepover=1, direction=30, **more)
-        found, made = preview_passes(asked, mesh=mesh, faces=faces), job.make(asked, mesh=mesh, faces=faces)
-        cut = made.path.contact[made.path.motion == Motion.CUT]
+        wanted = settings(passes="planes", stepover=1, direction=30, **more)
+        found, result = (
+            preview_passes(wanted, mesh=mesh, faces=faces),
+            job.make(wanted, mesh=mesh, faces=faces),
+        )
+        cut = result.path.contact[result.path.motion == Motion.CUT]
         assert len(cut) and off_lines(cut, found).max() < 1e-6
         assert off_lines(found.point, found).max() == 0.0 and found.point[:, 0].max() < 13.5
         if more:
@@ -124,7 +127,7 @@ def test_faces_and_boundary_leave_out_what_they_leave_out_of_the_path(tmp_path):
 def test_a_bull_nose_held_by_its_centre_ends_near_the_boundary(tmp_path):
     curve = tmp_path / "square.csv"
     curve.write_text("4,4,0\n16,4,0\n16,16,0\n4,16,0\n4,4,0\n")
-    asked = settings(
+    wanted = settings(
         passes="planes",
         stepover=1,
         cutter="bull:6:1",
@@ -132,23 +135,23 @@ def test_a_bull_nose_held_by_its_centre_ends_near_the_boundary(tmp_path):
         boundary_by="centre",
         tool_axis="facet_mean",
     )
-    found = preview_passes(asked, mesh=dome())
+    found = preview_passes(wanted, mesh=dome())
     assert found.point[:, :2].min() > 1.0 and found.point[:, :2].max() < 19.0 and found.passes > 9
 
 
 def test_where_axes_are_free_no_axis_is_sought():
-    said = []
+    message = []
     mesh = dome()
-    asked = build_settings(
+    wanted = build_settings(
         "mill",
         "dome.stl",
         {"machine": "trunnion_ac", "cutter": "ball:6", "passes": "scallop", "tool_axis": "auto"},
     )
-    found = preview_passes(asked, lambda stage, _: said.append(stage), mesh=mesh)
-    assert found.passes > 5 and "axis field" not in said and "joint path" not in said and said
+    found = preview_passes(wanted, lambda stage, _: message.append(stage), mesh=mesh)
+    assert found.passes > 5 and "axis field" not in message and "joint path" not in message and message
 
 
-def test_what_cannot_be_laid_is_said_and_work_can_be_stopped():
+def test_what_cannot_be_planned_is_stated_and_work_can_be_stopped():
     below = from_triangles(dome().vertex[dome().face][:, ::-1])
     with pytest.raises(FiveAxisError, match="no facet can be cut"):
         preview_passes(settings(passes="planes", stepover=1, max_axis_angle=10, tool_axis="auto"), mesh=below)

@@ -77,10 +77,10 @@ MODES = [
     for inverse in (True, False)
     if dialect.inverse_time or not inverse
 ]
-TOLD = [f"{dialect.name}-{'g93' if inverse else 'g94'}" for dialect, inverse in MODES]
+REPORTED = [f"{dialect.name}-{'g93' if inverse else 'g94'}" for dialect, inverse in MODES]
 
 
-@pytest.mark.parametrize(("dialect", "inverse_time"), MODES, ids=TOLD)
+@pytest.mark.parametrize(("dialect", "inverse_time"), MODES, ids=REPORTED)
 class TestEveryDialectAndMode:
     def test_words_are_the_decimals_that_are_printed(self, dialect, inverse_time) -> None:
         kinematics, q = trunnion(), wander(300)

@@ -42,9 +42,9 @@ def plan(name, setup=SETUP, **wishes):
 
 
 def posted(name, controller="linuxcnc"):
-    made, dialect = plan(name), find_dialect(controller)
-    program = proof_program(made, dialect)
-    return made, program, proof_nc(made, program, dialect, PostOptions())
+    result, dialect = plan(name), find_dialect(controller)
+    program = proof_program(result, dialect)
+    return result, program, proof_nc(result, program, dialect, PostOptions())
 
 
 def along(words):
@@ -69,9 +69,9 @@ def mirrored(name, letters):
 
 @machines
 def test_every_move_keeps_the_gap_and_the_limits_whatever_the_signs(name):
-    made, program, _ = posted(name)
+    result, program, _ = posted(name)
     q, letters = along(program.words), program.letters[3:]
-    assert (q <= made.kinematics.high + 1e-9).all() and (q >= made.kinematics.low - 1e-9).all()
+    assert (q <= result.kinematics.high + 1e-9).all() and (q >= result.kinematics.low - 1e-9).all()
     swapped = q[:, [0, 1, 2, 4, 3]]
     tips = [forward(mirrored(name, which), q)[0] for which in ("", letters[0], letters[1], letters)]
     tips.append(forward(mirrored(name, ""), swapped)[0])
@@ -80,10 +80,10 @@ def test_every_move_keeps_the_gap_and_the_limits_whatever_the_signs(name):
 
 
 def test_without_that_care_a_wrong_sign_would_come_too_near():
-    made, machine = plan("mikron_ucp710"), load_machine("mikron_ucp710")
-    assert made.distance > WISHES.gap
-    both = made.stops[-2].q[-1, 3:]
-    near = _last_pose(made.kinematics, WISHES, both, WISHES.gap)[None]
+    result, machine = plan("mikron_ucp710"), load_machine("mikron_ucp710")
+    assert result.distance > WISHES.gap
+    both = result.stops[-2].q[-1, 3:]
+    near = _last_pose(result.kinematics, WISHES, both, WISHES.gap)[None]
     assert min(one.reach(near)[0][0, 2] for one in wrong_machines(machine, SETUP)) < WISHES.gap - 3.0
 
 
@@ -120,8 +120,8 @@ def test_a_linear_axis_goes_to_the_side_that_its_limits_allow():
 def test_an_axis_turns_to_the_side_that_its_limits_allow():
     machine = load_machine("trunnion_ac")
     axes = [replace(a, high=np.radians(5.0)) if a.letter == "A" else a for a in machine.axes]
-    made = make_plan(replace(machine, axes=tuple(axes)), SETUP, WISHES)
-    assert any(stop.title == "A alone, -10 deg" for stop in made.stops)
+    result = make_plan(replace(machine, axes=tuple(axes)), SETUP, WISHES)
+    assert any(stop.title == "A alone, -10 deg" for stop in result.stops)
     axes = [
         replace(a, low=-np.radians(5.0), high=np.radians(5.0)) if a.letter == "A" else a for a in machine.axes
     ]
@@ -133,12 +133,12 @@ NOTICE = "Nothing may stand above Z 0 of the work zero: remove the part, or give
 
 
 def test_without_a_mark_the_first_line_says_that_nothing_may_stand_there():
-    made = make_plan(load_machine("trunnion_ac"), SETUP, Wishes())
-    program = proof_program(made, find_dialect("linuxcnc"))
-    assert " ".join(sheet_text(made, program).split("\n\n")[0].split()) == NOTICE
-    assert f'<p class="verdict bad">{NOTICE} At every stop' in sheet_html(made, program)
-    assert (made.findings[0].code, made.findings[0].text) == ("mark-not-given", NOTICE)
-    nc = proof_nc(made, program, find_dialect("linuxcnc"), PostOptions()).decode()
+    result = make_plan(load_machine("trunnion_ac"), SETUP, Wishes())
+    program = proof_program(result, find_dialect("linuxcnc"))
+    assert " ".join(sheet_text(result, program).split("\n\n")[0].split()) == NOTICE
+    assert f'<p class="verdict bad">{NOTICE} At every stop' in sheet_html(result, program)
+    assert (result.findings[0].code, result.findings[0].text) == ("mark-not-given", NOTICE)
+    nc = proof_nc(result, program, find_dialect("linuxcnc"), PostOptions()).decode()
     assert (
         nc[: nc.index("M0")].rstrip().endswith("rotary axes at 0 - then go on)")
         and "nothing above Z 0 - stop 0" in nc
@@ -149,8 +149,8 @@ def test_without_a_mark_the_first_line_says_that_nothing_may_stand_there():
 
 
 def test_the_tip_keeps_the_gap_to_the_mark_s_height():
-    made = plan("trunnion_ac", mark=(30.0, 20.0, 40.0))
-    tips = forward(made.kinematics, along(proof_program(made, find_dialect("linuxcnc")).words))[0]
+    result = plan("trunnion_ac", mark=(30.0, 20.0, 40.0))
+    tips = forward(result.kinematics, along(proof_program(result, find_dialect("linuxcnc")).words))[0]
     assert 40.0 + WISHES.gap - 1e-3 <= tips[:, 2].min() < 40.0 + WISHES.gap + 1e-3
 
 
@@ -159,16 +159,16 @@ def test_the_tip_keeps_the_gap_to_the_mark_s_height():
 
 @machines
 def test_at_the_last_stop_the_tool_points_at_the_mark(name):
-    made, program, _ = posted(name)
-    last = rows(made, program)[-1]
+    result, program, _ = posted(name)
+    last = rows(result, program)[-1]
     words = np.array([[last["words"][letter] for letter in program.letters]])
-    tip, axis = forward(made.kinematics, words_to_q(words))
-    np.testing.assert_allclose(tip[0] - made.distance * axis[0], WISHES.place, rtol=0, atol=1e-3)
+    tip, axis = forward(result.kinematics, words_to_q(words))
+    np.testing.assert_allclose(tip[0] - result.distance * axis[0], WISHES.place, rtol=0, atol=1e-3)
 
 
 def test_by_linuxcnc_s_own_formulas_too():
-    made, program, _ = posted("linuxcnc_xyzac_trt")
-    words = rows(made, program)[-1]["words"]
+    result, program, _ = posted("linuxcnc_xyzac_trt")
+    words = rows(result, program)[-1]["words"]
     joints, a, c = np.array([words[letter] for letter in "XYZ"]), *np.radians([words["A"], words["C"]])
     d = np.array([0.0, 20.0, 10.0])
 
@@ -178,25 +178,25 @@ def test_by_linuxcnc_s_own_formulas_too():
         return np.array([np.cos(c) * v[0] + np.sin(c) * v[1], np.cos(c) * v[1] - np.sin(c) * v[0], v[2]])
 
     k = np.array([np.sin(a) * np.sin(c), np.sin(a) * np.cos(c), np.cos(a)])
-    np.testing.assert_allclose(tip(a, c) - made.distance * k, WISHES.place, rtol=0, atol=1e-3)
-    foretold = dict(made.predicted_errors)
+    np.testing.assert_allclose(tip(a, c) - result.distance * k, WISHES.place, rtol=0, atol=1e-3)
+    predicted = dict(result.predicted_errors)
     for text, signs in (("C turns the wrong way", (1, -1)), ("A turns the wrong way", (-1, 1))):
         np.testing.assert_allclose(
-            tip(signs[0] * a, signs[1] * c) - tip(a, c), foretold[text], rtol=0, atol=1e-3
+            tip(signs[0] * a, signs[1] * c) - tip(a, c), predicted[text], rtol=0, atol=1e-3
         )
-    np.testing.assert_allclose(tip(c, a) - tip(a, c), foretold["C and A are exchanged"], rtol=0, atol=1e-3)
+    np.testing.assert_allclose(tip(c, a) - tip(a, c), predicted["C and A are exchanged"], rtol=0, atol=1e-3)
 
 
 @machines
 def test_every_wrong_machine_is_seen_at_the_last_stop(name):
-    made = plan(name)
-    assert len(made.predicted_errors) == 4 and not made.findings
-    assert min(np.linalg.norm(off) for _, off in made.predicted_errors) > 3.0
+    result = plan(name)
+    assert len(result.predicted_errors) == 4 and not result.findings
+    assert min(np.linalg.norm(off) for _, off in result.predicted_errors) > 3.0
 
 
-def test_a_mark_on_the_axis_of_the_table_hides_its_sign_and_that_is_said():
-    made = plan("trunnion_ac", mark=(0.0, 0.0, 0.0), angle=np.radians(2.0))
-    assert {one.code for one in made.findings} == {"wrong-sign-hardly-seen"}
+def test_a_mark_on_the_axis_of_the_table_hides_its_sign_and_that_is_stated():
+    result = plan("trunnion_ac", mark=(0.0, 0.0, 0.0), angle=np.radians(2.0))
+    assert {one.code for one in result.findings} == {"wrong-sign-hardly-seen"}
 
 
 # What must be seen
@@ -280,12 +280,12 @@ def test_a_table_goes_the_other_way_than_the_tool_seen_from_the_part():
 @machines
 @pytest.mark.parametrize("controller", sorted(DIALECTS))
 def test_the_program_is_read_back_word_by_word_and_waits_at_every_stop(name, controller):
-    made, program, text = posted(name, controller)
-    again = read_nc(text, made.kinematics, find_dialect(controller))
+    result, program, text = posted(name, controller)
+    again = read_nc(text, result.kinematics, find_dialect(controller))
     np.testing.assert_allclose(again.words, program.words, rtol=0, atol=1e-9)
     np.testing.assert_array_equal(again.line, program.line)
     lines = text.decode().splitlines()
-    stops = rows(made, program)
+    stops = rows(result, program)
     assert sum(line.split()[-1:] == ["M0"] for line in lines) == len(stops) + 1
     for stop in stops:
         assert (
@@ -303,12 +303,12 @@ def test_where_every_line_has_a_number_those_of_the_stops_have_one_too(controlle
 
 
 def test_the_sheet_names_every_stop_with_its_line_and_its_wrong_look():
-    made, program, _ = posted("trunnion_ac")
-    text, html, record = sheet_text(made, program), sheet_html(made, program), sheet_json(made, program)
-    for stop in rows(made, program):
+    result, program, _ = posted("trunnion_ac")
+    text, html, record = sheet_text(result, program), sheet_html(result, program), sheet_json(result, program)
+    for stop in rows(result, program):
         assert f"stop {stop['number']}, line {stop['line']}: {stop['title']}" in text
         assert stop["see"].replace("'", "&#x27;") in html and stop["title"] in record
-    assert html.count("\u2610") == len(rows(made, program)) and "@media print" in html
+    assert html.count("\u2610") == len(rows(result, program)) and "@media print" in html
     assert max(map(len, text.splitlines())) <= 100
 
 
@@ -333,10 +333,10 @@ def interpreted(text, folder):
 @rs274
 @machines
 def test_linuxcnc_accepts_it_and_stops_as_often_as_the_sheet_says(name, tmp_path):
-    made, program, text = posted(name)
+    result, program, text = posted(name)
     done = interpreted(text, tmp_path)
     assert done.returncode == 0, done.stderr[-400:]
-    assert done.stdout.count("PROGRAM_STOP()") == len(rows(made, program)) + 1
+    assert done.stdout.count("PROGRAM_STOP()") == len(rows(result, program)) + 1
 
 
 @pytest.mark.rs274

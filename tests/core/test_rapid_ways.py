@@ -65,10 +65,16 @@ def codes(result):
 def test_a_rapid_that_is_clear_only_if_interpolated_is_an_error_that_names_block_and_depth(
     audited, controller
 ):
-    told = [one for one in audited(controller=controller).findings if one.code == "independent-rapid"]
-    assert len(told) == 1 and told[0].severity.name == "ERROR" and told[0].line == 5
-    assert 0.9 * 5.0 < told[0].value <= 5.0, "a point of the block is no deeper in the ball than its radius"
-    assert "interpolated" in told[0].text and "--rapids" in str(told[0].text)
+    list_reported = [
+        one for one in audited(controller=controller).findings if one.code == "independent-rapid"
+    ]
+    assert (
+        len(list_reported) == 1 and list_reported[0].severity.name == "ERROR" and list_reported[0].line == 5
+    )
+    assert 0.9 * 5.0 < list_reported[0].value <= 5.0, (
+        "a point of the block is no deeper in the ball than its radius"
+    )
+    assert "interpolated" in list_reported[0].text and "--rapids" in str(list_reported[0].text)
 
 
 def test_the_same_rapid_is_clear_where_rapids_are_interpolated(audited):
@@ -78,7 +84,7 @@ def test_the_same_rapid_is_clear_where_rapids_are_interpolated(audited):
 
 
 @pytest.mark.parametrize(("low", "enters"), [(20.0 + LIMIT, False), (20.0 - 3 * LIMIT, True)])
-def test_what_the_ball_just_passes_over_is_told_from_what_it_touches(low, enters):
+def test_what_the_ball_just_passes_over_is_reported_from_what_it_touches(low, enters):
     """The box of X and Z reaches down to the last Z: its entry is how far that lies below the block's top."""
     words = np.array([[-60.0, 0.0, 60.0, 0.0, 0.0], [60.0, 0.0, low, 0.0, 0.0]])
     found = find_way_entries(
@@ -90,8 +96,8 @@ def test_what_the_ball_just_passes_over_is_told_from_what_it_touches(low, enters
 
 
 def space(machine, back=0.0):
-    made = load_machine(machine)
-    return JointSpace.of(chain(made, Setup(made.origin, 100.0)), back)
+    outcome = load_machine(machine)
+    return JointSpace.of(chain(outcome, Setup(outcome.origin, 100.0)), back)
 
 
 def some_rapids(seed, count):
@@ -171,15 +177,15 @@ def test_only_rapids_of_several_axes_have_more_than_one_way():
     text = "\n".join(
         ("G90 G21", "G0 X0 Y0 Z60 A0 C0", "G0 Z50", "G0 X5 Y5", "G93 G1 X6 Y6 F10", "G0 Z60 A10", "M30")
     ).encode()
-    made = load_machine("trunnion_ac")
-    program = read_nc(text, chain(made, Setup(made.origin)), find_dialect("linuxcnc"))
+    outcome = load_machine("trunnion_ac")
+    program = read_nc(text, chain(outcome, Setup(outcome.origin)), find_dialect("linuxcnc"))
     assert program.line[independent_rapids(program) + 1].tolist() == [4, 6]
 
 
-def test_a_rapid_that_enters_anyhow_is_told_once():
+def test_a_rapid_that_enters_anyhow_is_reported_once():
     text = "\n".join(("G90 G21", "G0 X-60 Y0 Z60 A0 C0", "G0 X60 Y1 Z-40", "M30")).encode()
-    made = load_machine("trunnion_ac")
-    kinematics = chain(made, Setup(made.origin))
+    outcome = load_machine("trunnion_ac")
+    kinematics = chain(outcome, Setup(outcome.origin))
     program = read_nc(text, kinematics, find_dialect("linuxcnc"))
     check = check_program(BLOCK, body_of(Cutter(10.0)), kinematics, program, LIMIT, rapids=UNKNOWN)
     assert [one.code for one in check.findings] == ["rapid-collision"]
@@ -187,40 +193,42 @@ def test_a_rapid_that_enters_anyhow_is_told_once():
 
 
 def test_a_report_does_not_call_a_program_gouge_free_that_is_so_only_if_interpolated():
-    made = load_machine("trunnion_ac")
-    kinematics = chain(made, Setup(made.origin))
+    outcome = load_machine("trunnion_ac")
+    kinematics = chain(outcome, Setup(outcome.origin))
     program = read_nc("\n".join(OVER).encode(), kinematics, find_dialect("linuxcnc"))
 
-    def told(rapids):
+    def list_reported(rapids):
         check = check_program(BLOCK, body_of(Cutter(10.0)), kinematics, program, LIMIT, rapids=rapids)
         numbers = part_numbers(program, check, None, LIMIT, 0.0)
         return numbers.get("independent_rapid_blocks"), [kind for _, kind in part_verdict(numbers, LIMIT)]
 
-    assert told(INTERPOLATED) == (None, ["good"]) and told(UNKNOWN) == (1, ["bad"])
+    assert list_reported(INTERPOLATED) == (None, ["good"]) and list_reported(UNKNOWN) == (1, ["bad"])
 
 
 # ------------------------------------------------------------------------------------------------ who says it
 
 
 def test_each_controller_says_how_it_drives_rapids():
-    said = {name: dialect.rapids for name, dialect in DIALECTS.items()}
-    assert set(said.values()) <= set(RAPIDS)
+    message = {name: dialect.rapids for name, dialect in DIALECTS.items()}
+    assert set(message.values()) <= set(RAPIDS)
     assert (
-        said["haas"] == INDEPENDENT
-        and said["fanuc"] == said["mach3"] == UNKNOWN
-        and said["linuxcnc"] == INTERPOLATED
+        message["haas"] == INDEPENDENT
+        and message["fanuc"] == message["mach3"] == UNKNOWN
+        and message["linuxcnc"] == INTERPOLATED
     )
 
 
 def test_the_option_is_stronger_than_the_machine_file_and_that_than_the_controller():
     dialect, machine = find_dialect("haas"), load_machine("trunnion_ac")
-    asked = {"machine": "trunnion_ac"}
-    plain, told = (build_settings("mill", "p.stl", {**asked, **more}) for more in ({}, {"rapids": "unknown"}))
+    wanted = {"machine": "trunnion_ac"}
+    plain, list_reported = (
+        build_settings("mill", "p.stl", {**wanted, **more}) for more in ({}, {"rapids": "unknown"})
+    )
     own = dataclasses.replace(machine, rapids=INTERPOLATED)
     assert (
         rapids_of(plain, machine, dialect) == INDEPENDENT and rapids_of(plain, own, dialect) == INTERPOLATED
     )
-    assert rapids_of(told, own, dialect) == UNKNOWN
+    assert rapids_of(list_reported, own, dialect) == UNKNOWN
 
 
 def test_the_machine_file_keeps_it(tmp_path):
@@ -242,8 +250,8 @@ def test_a_value_that_is_none_of_them_is_refused_with_those_on_offer(tmp_path, v
         load_machine(tmp_path / "bad.fcm")
     (tmp_path / "p.ngc").write_text("\n".join(OVER), encoding="utf-8")
     assert main(["audit", str(tmp_path / "p.ngc"), "--machine", str(tmp_path / "bad.fcm")]) == 2
-    said = capsys.readouterr().err
-    assert said.count("\n") == 1 and "fiveaxis.rapids" in said
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1 and "fiveaxis.rapids" in message
 
 
 def test_a_value_of_a_job_file_that_is_none_of_them_is_refused():

@@ -96,8 +96,8 @@ def brute_force(chain_, axis, low, high, step=0.5):
     first, second = (np.radians(np.arange(low[i], high[i] + step / 2, step)) for i in range(2))
     words = np.zeros((first.size * second.size, 5))
     words[:, 3:] = np.stack(np.meshgrid(first, second), axis=-1).reshape(-1, 2)
-    made = forward(chain_, words)[1]
-    return np.array([(made @ row).max() for row in axis])
+    result = forward(chain_, words)[1]
+    return np.array([(result @ row).max() for row in axis])
 
 
 @pytest.mark.parametrize("kind", [((0, 0, 1), (1, 0, 0)), ((0, 0, 1), (0, math.sqrt(0.5), math.sqrt(0.5)))])

@@ -218,16 +218,16 @@ def test_the_command_line_writes_every_report(part, tmp_path, capsys, coarse):
     words = ["reach", str(part), "--machine", "trunnion_ac", "--cutter", "ball:6:20", "--holder", "40x30"]
     outputs = [str(tmp_path / f"reach{ending}") for ending in (".json", ".html", ".txt")]
     assert cli.main([*words, *(word for path in outputs for word in ("--report", path))]) == cli.DONE
-    said = capsys.readouterr().out
+    message = capsys.readouterr().out
     summary = json.loads((tmp_path / "reach.json").read_text())["summary"]
     assert summary["reachable_area"] + sum(summary["by_reason"].values()) == pytest.approx(summary["area"])
     assert sum(row["area"] for row in summary["by_tilt"]) == pytest.approx(summary["reachable_area"])
     assert summary["by_reason"]["holder"] > 20.0 and summary["stick_out"]
-    assert "holder in the way" in said and "Let the tool stick out" in said
+    assert "holder in the way" in message and "Let the tool stick out" in message
     assert "holder in the way" in (tmp_path / "reach.html").read_text()
 
 
-def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is_said(
+def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is_stated(
     tmp_path, capsys, coarse
 ):
     """The block stands on Z 0 of the work: 30 mm below the table where the work zero is, on it where it is 30
@@ -239,10 +239,10 @@ def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is
     shares = {}
     for height in (0, 30):
         assert cli.main([*words, "--origin", f"0,0,{height}"]) == cli.DONE
-        said, made = capsys.readouterr().out, json.loads(report.read_text())
-        shares[height] = made["summary"]["by_reason"]["below_table"] > 0.0
-        assert ("30 mm below the table" in said) == (height == 0)
-        assert ("part-below-table" in {one["code"] for one in made["findings"]}) == (height == 0)
+        message, result = capsys.readouterr().out, json.loads(report.read_text())
+        shares[height] = result["summary"]["by_reason"]["below_table"] > 0.0
+        assert ("30 mm below the table" in message) == (height == 0)
+        assert ("part-below-table" in {one["code"] for one in result["findings"]}) == (height == 0)
     assert shares == {0: False, 30: True}
 
 
@@ -350,7 +350,7 @@ def cavity():
     return mesh, [Fixture(f"plate {k}", from_triangles(np.array(one, float))) for k, one in enumerate(plate)]
 
 
-def test_where_the_tool_stands_freely_but_cannot_be_drawn_out_is_told_with_its_area(coarse):
+def test_where_the_tool_stands_freely_but_cannot_be_drawn_out_is_reported_with_its_area(coarse):
     """It is no closed hollow, for the slit is open, but no ball of 6 mm gets through that."""
     mesh, plates = cavity()
     x, _, z = mesh.vertex[mesh.face].mean(axis=1).T
@@ -364,7 +364,7 @@ def test_where_the_tool_stands_freely_but_cannot_be_drawn_out_is_told_with_its_a
     assert free.shut == 0.0 and reach_report.name_shut(free) == ()
 
 
-def test_every_report_says_that_the_way_there_is_not_asked_and_what_the_part_stands_on(
+def test_every_report_says_that_the_way_there_is_not_requested_and_what_the_part_stands_on(
     tmp_path, capsys, coarse
 ):
     """A cube of 20 mm: 400 of 2400 mm2 are its underside, which mill leaves out. With faces chosen it does
@@ -374,15 +374,15 @@ def test_every_report_says_that_the_way_there_is_not_asked_and_what_the_part_sta
     write_stl(shape, path)
     words = ["reach", str(path), "--machine", "trunnion_ac", "--cutter", "ball:6:30"]
     reports = [tmp_path / f"reach{ending}" for ending in (".json", ".html")]
-    told = [*words, *(word for one in reports for word in ("--report", str(one)))]
-    assert cli.main(told) == cli.DONE
-    said, page = capsys.readouterr().out, reports[1].read_text()
+    reported = [*words, *(word for one in reports for word in ("--report", str(one)))]
+    assert cli.main(reported) == cli.DONE
+    message, page = capsys.readouterr().out, reports[1].read_text()
     summary = json.loads(reports[0].read_text())["summary"]
     caveat = str(reach_report.WAYS)
-    assert caveat in said and caveat in page and summary["note"] == caveat
-    flat = " ".join(said.split())
+    assert caveat in message and caveat in page and summary["note"] == caveat
+    flat = " ".join(message.split())
     assert "400 mm2 are the underside" in flat and "only with --max-axis-angle" in flat
     assert "are the underside" in page and summary["standing_area"] == pytest.approx(400.0)
     for more in (["--faces", str(path)], ["--table-height", "0", "--origin", "0,0,0"]):
-        assert cli.main([*told, *more]) == cli.DONE
+        assert cli.main([*reported, *more]) == cli.DONE
         assert "are the underside" not in capsys.readouterr().out, more

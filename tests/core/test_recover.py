@@ -43,7 +43,7 @@ def codes(found, tolerance=0.01):
     return [one.code for one in recovery_findings(found, tolerance)]
 
 
-def told(found, tolerance=0.01):
+def list_reported(found, tolerance=0.01):
     return " ".join(one.text for one in recovery_findings(found, tolerance))
 
 
@@ -74,8 +74,8 @@ def test_table_2_gives_the_offsets_of_the_ucp_710_within_their_certainty(start):
 @pytest.mark.parametrize("wrong", [0.0, 0.05])
 @pytest.mark.parametrize("name", BARE)
 def test_50_rows_of_every_shipped_machine_give_it_back(name, wrong, tmp_path):
-    path, made, bad = posted(name, seed=7 if wrong else 3, wrong=wrong)
-    found = recover(path, made, setup=SETUP)
+    path, result, bad = posted(name, seed=7 if wrong else 3, wrong=wrong)
+    found = recover(path, result, setup=SETUP)
     save_machine(found.machine, tmp_path / "m.fcm")
     assert line_errors(load_machine(tmp_path / "m.fcm"), load_machine(name)).max() < NEAR / 20
     np.testing.assert_array_equal(np.flatnonzero(~found.fit.good), bad)
@@ -83,8 +83,8 @@ def test_50_rows_of_every_shipped_machine_give_it_back(name, wrong, tmp_path):
 
 
 def test_plain_least_squares_would_be_misled_by_5_per_cent_of_wrong_rows():
-    path, made, bad = posted("trunnion_ac", wrong=0.05)
-    pairs = in_order(sequences(path, made, 1e-4))
+    path, result, bad = posted("trunnion_ac", wrong=0.05)
+    pairs = in_order(sequences(path, result, 1e-4))
     rows = rows_of(start_layout(load_machine("trunnion_ac")), pairs, np.zeros((2, 3)), np.zeros(UNKNOWNS))
     misled = np.linalg.lstsq(
         rows.jacobian[:, :3, :4].reshape(-1, 4), rows.residual[:, :3].reshape(-1), rcond=None
@@ -161,10 +161,10 @@ def test_words_by_5axiskins_give_its_pivot_length_and_a_fork():
 def test_the_model_is_the_kinematics_and_its_derivative_that_of_differences(name):
     machine = load_machine(name)
     kinematics = chain(machine, SETUP)
-    path, made, _ = posted(name, 12)
-    q = np.column_stack([made.words[:, :3], np.radians(made.words[:, 3:])])
+    path, result, _ = posted(name, 12)
+    q = np.column_stack([result.words[:, :3], np.radians(result.words[:, 3:])])
     tip, axis = forward(kinematics, q)
-    pairs = in_order(sequences(replace(path, tip=tip, axis=axis), made, 1e-4))
+    pairs = in_order(sequences(replace(path, tip=tip, axis=axis), result, 1e-4))
     layout, base = start_layout(machine), np.array([kinematics.point1, kinematics.point2])
     rows = rows_of(layout, pairs, base, np.zeros(UNKNOWNS))
     assert np.abs(rows.residual).max() < 1e-10
@@ -182,8 +182,8 @@ def test_certainties_are_what_many_roundings_show():
     layout, base = start_layout(machine), np.zeros((2, 3))
     off, inside = [], []
     for seed in range(40):
-        path, made, _ = posted("trunnion_bc", 20, seed)
-        pairs = in_order(sequences(path, made, 1e-4))
+        path, result, _ = posted("trunnion_bc", 20, seed)
+        pairs = in_order(sequences(path, result, 1e-4))
         fit = refine_fit(screened_fit(layout, pairs, base), pairs, base)
         sigma = np.sqrt(np.diag(fit.covariance))[:4]
         error = fit.unknown[:4] - (-10.0, 5.0, -10.0, -80.0)
@@ -254,8 +254,8 @@ def test_rows_and_blocks_are_aligned_as_the_best_of_all_pairings_in_order(seed):
     kept=(0, 2),
 )
 def test_shifted_zeros_are_found_and_named(name, shift):
-    path, made, _ = posted(name, 50, 2, 0.05, shift)
-    found = recover(path, made, setup=SETUP)
+    path, result, _ = posted(name, 50, 2, 0.05, shift)
+    found = recover(path, result, setup=SETUP)
     values = [one.value for one in parameters(found)[4:]]
     assert line_errors(found.machine, load_machine(name)).max() < NEAR
     np.testing.assert_allclose(values, shift, rtol=0, atol=2e-3)
@@ -263,19 +263,19 @@ def test_shifted_zeros_are_found_and_named(name, shift):
     linear = np.count_nonzero(shift[:3])
     assert len(named) == min(linear, 1) + np.count_nonzero(shift[3:]) and "cannot hold" in named[0].text
     if linear > 1:  # one cause, told once, with every amount
-        told = [float(number) for number in re.findall(r"-?\d+\.\d{4}", named[0].text)]
+        list_reported = [float(number) for number in re.findall(r"-?\d+\.\d{4}", named[0].text)]
         assert "work zero is shifted" in named[0].text
-        np.testing.assert_allclose(told, shift[:3], rtol=0, atol=2e-3)
+        np.testing.assert_allclose(list_reported, shift[:3], rtol=0, atol=2e-3)
         assert named[0].value == pytest.approx(np.linalg.norm(shift[:3]), abs=5e-3)
 
 
 def test_a_machine_file_with_a_wrong_pivot_is_named_with_the_amount():
-    path, made, _ = posted("mikron_ucp710")
+    path, result, _ = posted("mikron_ucp710")
     axes = [
         replace(axis, point=(0.0, -49.934, 120.064)) if axis.letter == "A" else axis
         for axis in load_machine("mikron_ucp710").axes
     ]
-    found = recover(path, made, replace(load_machine("mikron_ucp710"), axes=tuple(axes)), SETUP)
+    found = recover(path, result, replace(load_machine("mikron_ucp710"), axes=tuple(axes)), SETUP)
     named = [one for one in recovery_findings(found, 0.01) if one.code == "post-and-machine-differ"]
     assert (
         len(named) == 1
@@ -283,22 +283,22 @@ def test_a_machine_file_with_a_wrong_pivot_is_named_with_the_amount():
         and named[0].value == pytest.approx(0.065, abs=1e-3)
     )
     assert named[0].text.startswith("A line, Z: the post has 119.99") and "0.0650 mm apart" in named[0].text
-    same = recover(path, made, load_machine("mikron_ucp710"), SETUP)
+    same = recover(path, result, load_machine("mikron_ucp710"), SETUP)
     assert "post-and-machine-differ" not in codes(same) and same.start_miss < 1e-3
     assert same.machine.rotary[0].high == load_machine("mikron_ucp710").rotary[0].high  # limits are kept
 
 
 def test_a_wrong_sign_and_a_wrong_kind_and_wrong_letters_are_named():
-    path, made, _ = posted("linuxcnc_xyzac_trt")
-    assert "A turns the other way: the post's positive A is the negative one of trunnion_ac" in told(
-        recover(path, made, load_machine("trunnion_ac"), SETUP)
+    path, result, _ = posted("linuxcnc_xyzac_trt")
+    assert "A turns the other way: the post's positive A is the negative one of trunnion_ac" in list_reported(
+        recover(path, result, load_machine("trunnion_ac"), SETUP)
     )
-    path, made, _ = posted("fork_head_bc")
-    assert "head-head, trunnion_bc is table-table" in told(
-        recover(path, made, load_machine("trunnion_bc"), SETUP)
+    path, result, _ = posted("fork_head_bc")
+    assert "head-head, trunnion_bc is table-table" in list_reported(
+        recover(path, result, load_machine("trunnion_bc"), SETUP)
     )
-    assert "rotary words C and B, trunnion_ac has C and A" in told(
-        recover(path, made, load_machine("trunnion_ac"), SETUP)
+    assert "rotary words C and B, trunnion_ac has C and A" in list_reported(
+        recover(path, result, load_machine("trunnion_ac"), SETUP)
     )
 
 
@@ -312,26 +312,26 @@ def test_a_lean_that_is_not_among_the_layouts_comes_from_the_machine_given():
         for axis in base.axes
     ]
     truth = replace(base, axes=tuple(axes))
-    path, made, _ = posted(truth, lean=0.6)
+    path, result, _ = posted(truth, lean=0.6)
     given = replace(
         truth, axes=tuple(replace(axis, point=(0.0, 0.0, 0.0)) if axis.rotary else axis for axis in axes)
     )
-    assert line_errors(recover(path, made, given, SETUP).machine, truth).max() < NEAR
-    assert "poor-fit" in codes(recover(path, made, None, SETUP))
+    assert line_errors(recover(path, result, given, SETUP).machine, truth).max() < NEAR
+    assert "poor-fit" in codes(recover(path, result, None, SETUP))
 
 
 @pytest.mark.oldest
 @pytest.mark.thorough
-def test_what_the_rows_do_not_determine_is_said_and_kept_as_given():
-    path, made, _ = posted("trunnion_ac")
+def test_what_the_rows_do_not_determine_is_stated_and_kept_as_given():
+    path, result, _ = posted("trunnion_ac")
     kinematics = chain(load_machine("trunnion_ac"), SETUP)
-    words = made.words.copy()
+    words = result.words.copy()
     words[:, 4] = 0.0  # A never turns: its line cannot be known
     q = np.column_stack([words[:, :3], np.radians(words[:, 3:])])
     tip, axis = forward(kinematics, q)
     found = recover(
         replace(path, tip=np.round(tip, 4), axis=axis),
-        program(made.letters, words),
+        program(result.letters, words),
         load_machine("trunnion_ac"),
         SETUP,
     )
@@ -339,29 +339,29 @@ def test_what_the_rows_do_not_determine_is_said_and_kept_as_given():
     assert not any(one.determined for one in lost) and all(one.apart < 1e-6 for one in lost)
     assert codes(found).count("not-determined") == 2
     without = recover(
-        replace(path, tip=np.round(tip, 4), axis=axis), program(made.letters, words), None, SETUP
+        replace(path, tip=np.round(tip, 4), axis=axis), program(result.letters, words), None, SETUP
     )
     assert "layout-not-determined" in codes(without)  # how A turns is not known either
 
 
 def test_rows_from_which_nothing_can_be_learnt_are_refused():
-    path, made, _ = posted("trunnion_ac")
-    words = made.words.copy()
+    path, result, _ = posted("trunnion_ac")
+    words = result.words.copy()
     words[:, 3:] = 0.0
     with pytest.raises(ProgramError, match="rotary words never change"):
-        recover(path, program(made.letters, words))
-    words = made.words.copy()
+        recover(path, program(result.letters, words))
+    words = result.words.copy()
     words[:, :3] = path.tip
     with pytest.raises(ProgramError, match="tool centre point control"):
-        recover(path, program(made.letters, words))
+        recover(path, program(result.letters, words))
 
 
 @pytest.mark.slow
 def test_a_program_of_another_path_is_a_poor_fit_or_refused():
     path, _, _ = posted("trunnion_ac", seed=1)
-    _, made, _ = posted("trunnion_ac", seed=2)
+    _, result, _ = posted("trunnion_ac", seed=2)
     try:
-        found = recover(path, made, setup=SETUP)
+        found = recover(path, result, setup=SETUP)
     except ProgramError as error:
         assert "give a program that was posted from this CL path" in str(error)
     else:
@@ -370,34 +370,34 @@ def test_a_program_of_another_path_is_a_poor_fit_or_refused():
 
 @pytest.mark.thorough
 def test_rows_with_an_upright_tool_do_not_look_like_tool_centre_point_control():
-    path, made, _ = posted("trunnion_ac", 30)
+    path, result, _ = posted("trunnion_ac", 30)
     upright = np.arange(30) < 20
-    words, axis = made.words.copy(), path.axis.copy()
+    words, axis = result.words.copy(), path.axis.copy()
     words[upright] = np.column_stack([path.tip[upright], np.zeros((20, 2))])
     axis[upright] = (0.0, 0.0, 1.0)
-    found = recover(replace(path, axis=axis), program(made.letters, words), setup=SETUP)
+    found = recover(replace(path, axis=axis), program(result.letters, words), setup=SETUP)
     assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
 
 
 def test_an_inch_program_is_as_good_as_its_rounding():
-    path, made, _ = posted("trunnion_ac")
-    words = made.words.copy()
+    path, result, _ = posted("trunnion_ac")
+    words = result.words.copy()
     words[:, :3] = np.round(words[:, :3] / 25.4, 4) * 25.4
-    found = recover(path, program(made.letters, words), setup=SETUP)
+    found = recover(path, program(result.letters, words), setup=SETUP)
     assert found.pairs.steps.linear == pytest.approx(25.4e-4) and 0.5 < found.fit.scale < 1.5
     assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
 
 
 @pytest.mark.slow
 def test_axes_that_do_not_fit_and_numbers_beyond_any_machine_are_noticed():
-    path, made, _ = posted("trunnion_ac", 20, 2)
+    path, result, _ = posted("trunnion_ac", 20, 2)
     assert "poor-fit" in codes(
-        recover(cl_path(path.tip, np.tile((1.0, 0.0, 0.0), (20, 1))), made)
+        recover(cl_path(path.tip, np.tile((1.0, 0.0, 0.0), (20, 1))), result)
     )  # the tips alone would fit
-    huge = made.words.copy()
+    huge = result.words.copy()
     huge[3, 0] = 1e200
     with pytest.raises(ProgramError, match="beyond any machine"):
-        recover(path, program(made.letters, huge))
+        recover(path, program(result.letters, huge))
     with pytest.raises(ProgramError, match="only 1 of 1 CL rows"):
         recover(*posted("trunnion_ac", 1)[:2])
 
@@ -406,15 +406,15 @@ def test_axes_that_do_not_fit_and_numbers_beyond_any_machine_are_noticed():
 
 
 def test_blocks_of_the_post_s_own_and_rows_left_out_do_not_disturb_the_pairing():
-    path, made, _ = posted("trunnion_bc", 120, 4)
+    path, result, _ = posted("trunnion_bc", 120, 4)
     rng = np.random.default_rng(9)
     keep, extra = (
         np.setdiff1d(np.arange(120), rng.choice(120, 6, replace=False)),
         np.sort(rng.choice(110, 12)),
     )
-    words = np.insert(made.words[keep], extra, np.round(rng.uniform(-90, 90, (12, 5)), 4), axis=0)
+    words = np.insert(result.words[keep], extra, np.round(rng.uniform(-90, 90, (12, 5)), 4), axis=0)
     truth = np.insert(keep, extra, -1)
-    found = recover(path, program(made.letters, words), setup=SETUP)
+    found = recover(path, program(result.letters, words), setup=SETUP)
     assert line_errors(found.machine, load_machine("trunnion_bc")).max() < NEAR
     right = truth[found.pairs.line - 10] == found.pairs.row
     assert right[found.fit.good].all() and found.fit.good.sum() > 100
@@ -423,19 +423,19 @@ def test_blocks_of_the_post_s_own_and_rows_left_out_do_not_disturb_the_pairing()
 
 @pytest.mark.thorough
 def test_a_program_that_comes_back_to_its_lines_counts_the_blocks_without_a_row():
-    path, made, _ = posted("trunnion_bc", 120, 4)
+    path, result, _ = posted("trunnion_bc", 120, 4)
     extra = np.arange(5, 100, 10)
     words = np.insert(
-        made.words, extra, np.round(np.random.default_rng(9).uniform(-90, 90, (10, 5)), 4), axis=0
+        result.words, extra, np.round(np.random.default_rng(9).uniform(-90, 90, (10, 5)), 4), axis=0
     )
-    straight = program(made.letters, words)
+    straight = program(result.letters, words)
     looped = replace(straight, line=10 + np.arange(130) % 13)
     skipped = [recover(path, one, setup=SETUP).skipped for one in (straight, looped)]
     assert skipped == [10, 10]
 
 
 def test_rows_that_do_not_move_are_passed_over_as_posts_do():
-    path, made, _ = posted("trunnion_bc", 30, 4)
+    path, result, _ = posted("trunnion_bc", 30, 4)
     twice = np.sort(np.append(np.arange(30), [4, 4, 17]))
     doubled = replace(
         path,
@@ -444,10 +444,10 @@ def test_rows_that_do_not_move_are_passed_over_as_posts_do():
             for name in ("tip", "axis", "motion", "feed", "contact", "normal", "face", "coedge", "pass_")
         },
     )
-    pairs = in_order(sequences(doubled, made, 1e-4))
+    pairs = in_order(sequences(doubled, result, 1e-4))
     np.testing.assert_array_equal(doubled.tip[pairs.row], path.tip)
-    assert in_order(sequences(path, program(made.letters, made.words[:-1]), 1e-4)) is None
-    assert len(align_pairs(sequences(path, program(made.letters, made.words[:-1]), 1e-4)).row) == 29
+    assert in_order(sequences(path, program(result.letters, result.words[:-1]), 1e-4)) is None
+    assert len(align_pairs(sequences(path, program(result.letters, result.words[:-1]), 1e-4)).row) == 29
 
 
 HAAS = Machine(
@@ -467,10 +467,10 @@ HAAS = Machine(
 @pytest.mark.oldest
 @pytest.mark.thorough
 def test_unusual_letters_with_rows_dropped_on_either_side():
-    path, made, _ = posted(HAAS, 90, 6)
+    path, result, _ = posted(HAAS, 90, 6)
     rows, blocks = np.setdiff1d(np.arange(90), (7, 31, 32, 60)), np.setdiff1d(np.arange(90), (12, 45, 80))
     found = recover(
-        cl_path(path.tip[rows], path.axis[rows]), program(made.letters, made.words[blocks]), setup=SETUP
+        cl_path(path.tip[rows], path.axis[rows]), program(result.letters, result.words[blocks]), setup=SETUP
     )
     np.testing.assert_array_equal(
         rows[found.pairs.row[found.fit.good]], blocks[found.pairs.line[found.fit.good] - 10]
@@ -481,9 +481,9 @@ def test_unusual_letters_with_rows_dropped_on_either_side():
 
 @pytest.mark.thorough
 def test_one_operation_is_found_in_the_whole_program():
-    path, made, _ = posted("trunnion_ac", 1407, 8)
+    path, result, _ = posted("trunnion_ac", 1407, 8)
     one = slice(700, 985)
-    found = recover(cl_path(path.tip[one], path.axis[one]), made, setup=SETUP)
+    found = recover(cl_path(path.tip[one], path.axis[one]), result, setup=SETUP)
     np.testing.assert_array_equal(
         found.pairs.row[found.fit.good] + 700, found.pairs.line[found.fit.good] - 10
     )
@@ -544,5 +544,5 @@ def test_a_recovered_machine_needs_no_start_to_be_saved(tmp_path):
 )
 def test_of_a_machine_that_has_other_letters_no_limits_are_known(start, of):
     found = recover(*posted("head_b_table_c")[:2], start=load_machine(start), setup=Setup())
-    said = [finding.text for finding in recovery_findings(found, 0.01) if finding.code == "limits-unknown"]
-    assert [text for text in said if of and of in text] == said and bool(said) == bool(of)
+    message = [finding.text for finding in recovery_findings(found, 0.01) if finding.code == "limits-unknown"]
+    assert [text for text in message if of and of in text] == message and bool(message) == bool(of)

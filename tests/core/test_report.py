@@ -38,7 +38,7 @@ def test_the_counts_are_those_counted_by_hand():
     assert numbers["findings"] == {"error": 3, "warning": 2, "note": 0}
 
 
-def test_a_rapid_is_not_judged_but_told():
+def test_a_rapid_is_not_judged_but_reported():
     assert summary(by_hand())["max_rapid_deviation"] == 0.5
     numbers = summary(dataclasses.replace(by_hand(), tolerance=0.04))
     assert numbers["over_tolerance"] == 0 and numbers["proven"]
@@ -85,9 +85,9 @@ def test_cuts_links_and_rapids_make_up_the_whole_way_and_the_whole_time():
     assert numbers["cut_length"] == pytest.approx(3.0 + turned)
     assert numbers["link_length"] == numbers["rapid_length"] == pytest.approx(1.0)
     assert numbers["time_shares"] == pytest.approx({"cut": 17 / 21, "link": 1 / 21, "rapid": 3 / 21})
-    told = dict(facts(numbers))
-    assert told["length of links, of rapids"] == "1.0 mm, 1.0 mm"
-    assert told["time"] == "30.0 s (cut 81 %, link 5 %, rapid 14 %)"
+    reported = dict(facts(numbers))
+    assert reported["length of links, of rapids"] == "1.0 mm, 1.0 mm"
+    assert reported["time"] == "30.0 s (cut 81 %, link 5 %, rapid 14 %)"
 
 
 def test_a_rate_is_travel_by_time_and_none_without_time():
@@ -224,10 +224,10 @@ def test_plain_turns_everything_into_jsons_own_kinds():
         "f": np.bool_(True),
         "g": -math.inf,
     }
-    made = plain(given)
-    assert (made["a"], made["b"], made["c"], made["4"]) == (None, [0, 1, 2], str(Path("x/y")), "note")
-    assert (made["d"], made["e"]["severity"], made["f"], made["g"]) == ([1.5], "error", True, None)
-    json.dumps(made, allow_nan=False)
+    result = plain(given)
+    assert (result["a"], result["b"], result["c"], result["4"]) == (None, [0, 1, 2], str(Path("x/y")), "note")
+    assert (result["d"], result["e"]["severity"], result["f"], result["g"]) == ([1.5], "error", True, None)
+    json.dumps(result, allow_nan=False)
     with pytest.raises(ValueError, match="JSON"):
         json.dumps({"a": math.nan}, allow_nan=False)
 
@@ -259,7 +259,7 @@ def test_text_columns_are_those_of_this_machine():
 
 
 @pytest.mark.parametrize(
-    ("make", "said"),
+    ("make", "message"),
     [
         (lambda: figures_of(TRUNNION, CALM), "None of the 3 feed blocks leaves"),
         (table2, "1 block leaves the commanded path by more than 0.01 mm; the worst, line 4, by 2.126 mm."),
@@ -271,14 +271,14 @@ def test_text_columns_are_those_of_this_machine():
         (empty, "Nothing to prove"),
     ],
 )
-def test_what_is_said_of_the_path_is_one_plain_sentence(make, said):
+def test_what_is_stated_of_the_path_is_one_plain_sentence(make, message):
     figures = make()
-    assert path_verdict(figures, summary(figures)).startswith(said)
-    assert said.split()[0] in as_text(figures)
+    assert path_verdict(figures, summary(figures)).startswith(message)
+    assert message.split()[0] in as_text(figures)
 
 
 @pytest.mark.parametrize(
-    ("seconds", "said"),
+    ("seconds", "message"),
     [
         (0.04, "0.0 s"),
         (59.94, "59.9 s"),
@@ -287,8 +287,8 @@ def test_what_is_said_of_the_path_is_one_plain_sentence(make, said):
         (7384, "2 h 03 min 04 s"),
     ],
 )
-def test_durations_read_well(seconds, said):
-    assert duration(seconds) == said
+def test_durations_read_well(seconds, message):
+    assert duration(seconds) == message
 
 
 def test_numbers_without_a_value_are_dashes_and_none_is_minus_zero():
@@ -305,8 +305,8 @@ def test_numbers_without_a_value_are_dashes_and_none_is_minus_zero():
 
 
 def test_markers_stand_at_the_worst_block_of_each_run():
-    made = markers(by_hand())
-    kinds = [one.kind for one in made]
+    result = markers(by_hand())
+    kinds = [one.kind for one in result]
     assert kinds == [
         "largest-deviation",
         "deviation-over-tolerance",
@@ -314,11 +314,11 @@ def test_markers_stand_at_the_worst_block_of_each_run():
         "singular-block",
         "bound-over-tolerance",
     ]
-    assert made[0].place == (4.0, 2.0, 3.0) and made[0].label == "0.03 mm, line 7"
-    assert [one.place[0] for one in made[1:3]] == [4.0, 2.0]
-    assert made[3].label == "turns 90 deg, line 7"
-    assert made[0].finding is not None and made[0].finding.block == 4
-    assert made[3].finding is not None and made[3].finding.code == "singular-block"
+    assert result[0].place == (4.0, 2.0, 3.0) and result[0].label == "0.03 mm, line 7"
+    assert [one.place[0] for one in result[1:3]] == [4.0, 2.0]
+    assert result[3].label == "turns 90 deg, line 7"
+    assert result[0].finding is not None and result[0].finding.block == 4
+    assert result[3].finding is not None and result[3].finding.code == "singular-block"
 
 
 def test_a_run_of_neighbours_has_one_marker():
@@ -336,8 +336,8 @@ def test_other_findings_with_a_place_are_markers_too():
         Finding(Severity.NOTE, "open-edge", "An edge is open.", place=(1.0, 2.0, 3.0)),
         Finding(Severity.NOTE, "x", "No place."),
     )
-    made = markers(dataclasses.replace(figures_of(TRUNNION, CALM), findings=found))
-    assert [(one.kind, one.label, one.place) for one in made[1:]] == [
+    result = markers(dataclasses.replace(figures_of(TRUNNION, CALM), findings=found))
+    assert [(one.kind, one.label, one.place) for one in result[1:]] == [
         ("open-edge", "open edge", (1.0, 2.0, 3.0))
     ]
 

@@ -87,8 +87,8 @@ def test_every_picture_is_whole_and_says_what_it_shows(dome_page):
     page = Page(dome_page)
     for source in re.findall(r"base64,([^\"]+)", dome_page):
         assert ET.fromstring(base64.b64decode(source)).tag.endswith("svg")
-    said = [value for _, name, value in page.attributes if name == "alt"]
-    assert len(said) == 5 and all(len(text) > 30 for text in said)
+    message = [value for _, name, value in page.attributes if name == "alt"]
+    assert len(message) == 5 and all(len(text) > 30 for text in message)
 
 
 @pytest.mark.thorough
@@ -144,7 +144,7 @@ def test_the_worst_block_stands_in_its_table(without_matplotlib):
     assert ("2.12641" in text and "0.93844" in text and "-27.4209" in text) or "-27.421" in text
 
 
-def test_a_proven_program_is_told_so(without_matplotlib):
+def test_a_proven_program_is_reported_so(without_matplotlib):
     calm = figures_of(TRUNNION, np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0]], float))
     assert '<li class="good">' in as_html(calm) and 'class="verdict open">CHECK: not checked' in as_html(calm)
     assert 'class="verdict bad"' in as_html(table2())
@@ -153,7 +153,7 @@ def test_a_proven_program_is_told_so(without_matplotlib):
 
 @pytest.mark.oldest
 @pytest.mark.thorough
-def test_pages_of_odd_programs_are_made_too():
+def test_pages_of_odd_programs_are_built_too():
     pytest.importorskip("matplotlib")
     still = figures_of(TRUNNION, np.zeros((3, 5)))
     spin = figures_of(TRUNNION, np.array([[5.0, 0, 0, 0, 30], [5, 0, 0, 360, 30]]))

@@ -52,12 +52,12 @@ def clear():
     )
 
 
-def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
+def test_requested_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
     options = {**OPTIONS, "gouge": "off", "rest": "off"}
     result = job.prove(job.make(build_settings("mill", "step.stl", options), mesh=step()))
     assert result.gouge is None and result.rest is None
-    told = json.loads(as_json(job.figures(result)))
-    assert not {"gouge", "left"} & set(told) and "max_left" not in told["summary"]
+    reported = json.loads(as_json(job.figures(result)))
+    assert not {"gouge", "left"} & set(reported) and "max_left" not in reported["summary"]
     assert "enters the part" not in as_text(job.figures(result))
     assert b"depth" not in blocks_csv(
         result.draft.program, result.deviation, result.singularity, gouge=result.gouge
@@ -65,29 +65,30 @@ def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
 
 
 def test_the_summary_has_the_deepest_entries_and_the_judge_finds_them_too(entered):
-    told = summary(job.figures(entered))
+    reported = summary(job.figures(entered))
     assert (
-        told["max_overcut"] == pytest.approx(entered.gouge.cutter.depth.max()) and told["overcut_blocks"] > 0
+        reported["max_overcut"] == pytest.approx(entered.gouge.cutter.depth.max())
+        and reported["overcut_blocks"] > 0
     )
-    assert told["max_overcut"] <= told["cutter_bound"] and told["max_holder_collision"] > 1.0
-    row = entered.draft.program.line.tolist().index(told["overcut_line"])
+    assert reported["max_overcut"] <= reported["cutter_bound"] and reported["max_holder_collision"] > 1.0
+    row = entered.draft.program.line.tolist().index(reported["overcut_line"])
     course = program_motion(entered.draft.kinematics, entered.draft.program)
     pose = course.pose(np.full(200, row - 1), np.linspace(0, 1, 200))
     place = np.tile(entered.gouge.cutter.place[row - 1], (200, 1))
     body = body_of(entered.draft.settings.cutter.cutter)
     assert depth_of(body, pose.tip.T, pose.axis.T, place).max() == pytest.approx(
-        told["max_overcut"], rel=0.02
+        reported["max_overcut"], rel=0.02
     )
 
 
 def test_json_has_the_deepest_places_and_the_histogram_holds_all_the_area(entered):
-    told = json.loads(as_json(job.figures(entered)))
-    rows = told["gouge"]["deepest"]
+    reported = json.loads(as_json(job.figures(entered)))
+    rows = reported["gouge"]["deepest"]
     assert 0 < len(rows) <= 10 and [row["depth"] for row in rows] == sorted(
         (row["depth"] for row in rows), reverse=True
     )
     assert {row["kind"] for row in rows} <= {"overcut", "rapid-collision", "holder-collision"}
-    left = told["left"]
+    left = reported["left"]
     assert sum(bar["area"] for bar in left["histogram"]) == pytest.approx(left["machined_area"])
     assert all(a["to"] == b["from"] for a, b in zip(left["histogram"], left["histogram"][1:], strict=False))
     assert left["most_left"]["height"] == pytest.approx(entered.rest.height.max())
@@ -147,12 +148,12 @@ def test_the_page_shows_the_places_and_the_map(entered, clear, monkeypatch):
 @pytest.mark.thorough
 def test_the_picture_is_sound_small_and_the_same_every_time(clear):
     figures = job.figures(clear)
-    made = rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
+    outcome = rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
     assert (
-        made == rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
-        and len(made) < 400_000
+        outcome == rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
+        and len(outcome) < 400_000
     )
-    root = ET.fromstring(made)
+    root = ET.fromstring(outcome)
     words = " ".join(text for text in root.itertext())
     assert (
         "From above" in words
@@ -162,7 +163,7 @@ def test_the_picture_is_sound_small_and_the_same_every_time(clear):
     assert len(list(root.iter("{http://www.w3.org/2000/svg}image"))) == 3
 
 
-def test_what_a_cure_leaves_is_told_once(clear):
+def test_what_a_cure_leaves_is_reported_once(clear):
     assert [finding.code for finding in clear.findings].count("uncut") == 1
 
 

@@ -105,7 +105,7 @@ def test_a_wide_cutter_that_leans_touches_far_from_its_middle(ring, corner):
     assert left.height[floor].max() < 0.02  # under its middle it would be 2 mm and more
 
 
-def test_what_is_left_is_told_with_its_area():
+def test_what_is_left_is_reported_with_its_area():
     left = find_rest_material(step(), BALL, upright((-20, -12, 0), (20, -12, 0)), np.array([0]), 3.0)
     (finding,) = uncut_finding(left, 1.0)
     assert (
@@ -116,7 +116,7 @@ def test_what_is_left_is_told_with_its_area():
     assert uncut_finding(left, 1e3) == ()
 
 
-def test_what_is_cut_too_deep_is_told_with_its_depth():
+def test_what_is_cut_too_deep_is_reported_with_its_depth():
     left = find_rest_material(step(), BALL, upright((-20, -12, -0.3), (20, -12, -0.3)), np.array([0]), 1.0)
     (finding,) = too_deep_finding(left, 0.01)
     assert (
@@ -132,10 +132,10 @@ def test_what_is_cut_too_deep_is_told_with_its_depth():
 
 
 def test_a_long_search_says_how_far_it_is_and_can_be_stopped():
-    told = []
+    reported = []
 
     def listen(what, share):
-        told.append(share)
+        reported.append(share)
         if share > 0.3:
             raise Cancelled("stopped")
 
@@ -143,10 +143,10 @@ def test_a_long_search_says_how_far_it_is_and_can_be_stopped():
         find_rest_material(
             step(), BALL, upright((-20, -12, 0), (20, -12, 0)), np.array([0]), 0.25, progress=listen
         )
-    assert told == sorted(told) and 0.0 < told[-2] <= 0.3 < told[-1] < 1.0
+    assert reported == sorted(reported) and 0.0 < reported[-2] <= 0.3 < reported[-1] < 1.0
 
 
-def test_without_cuts_nothing_can_be_said():
+def test_without_cuts_nothing_can_be_stated():
     with pytest.raises(SettingsError):
         find_rest_material(step(), BALL, upright((0, 0, 0), (1, 0, 0)), np.empty(0, int), 1.0)
 
@@ -169,8 +169,8 @@ def test_a_wide_cutter_that_only_rocks_about_its_middle_is_seen_at_every_lean():
 def test_what_is_enough_is_not_looked_at_closer_and_what_is_more_is_the_same():
     half = np.radians(40.0)
     height = 3.0 / np.sin(half) - 3.0
-    asked = v_groove(half), BALL, upright((-20, 0, height), (20, 0, height)), np.array([0]), 0.8
-    exact, rough = find_rest_material(*asked), find_rest_material(*asked, enough=0.5)
+    wanted = v_groove(half), BALL, upright((-20, 0, height), (20, 0, height)), np.array([0]), 0.8
+    exact, rough = find_rest_material(*wanted), find_rest_material(*wanted, enough=0.5)
     more = exact.height > 0.5
     assert (rough.height[more] == exact.height[more]).all() and (rough.block == exact.block)[more].all()
     assert (

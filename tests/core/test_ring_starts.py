@@ -105,11 +105,11 @@ def test_a_pass_that_goes_over_what_is_not_cut_is_not_closed():
 
 def machine_file(folder, low, high):
     """The trunnion whose C has these limits, deg, and whose A leans to one side only."""
-    told = json.loads((MACHINES / "trunnion_ac.fcm").read_text())
+    reported = json.loads((MACHINES / "trunnion_ac.fcm").read_text())
     for letter, limits in (("C", (low, high)), ("A", (-5.0, 110.0))):
-        told["machine"]["axes"][letter]["limits"] = dict(zip(("min", "max"), limits, strict=True))
+        reported["machine"]["axes"][letter]["limits"] = dict(zip(("min", "max"), limits, strict=True))
     path = folder / "trunnion.fcm"
-    path.write_text(json.dumps(told))
+    path.write_text(json.dumps(reported))
     return str(path)
 
 
@@ -124,19 +124,19 @@ def milled(folder, low, high, **options):
     return job.make(build_settings("mill", "dome", given), mesh=solid_of_revolution(profile, 24))
 
 
-def codes(made):
-    return {one.code for one in made.findings}
+def codes(result):
+    return {one.code for one in result.findings}
 
 
-def marks(made):
+def marks(result):
     """How many times C turns back inside a cut."""
-    return sum(one.code == "rewind" for one in made.findings)
+    return sum(one.code == "rewind" for one in result.findings)
 
 
-def jumps(made):
+def jumps(result):
     """The largest step of C, deg, on a feed block."""
-    fed = made.joints.path.motion[1:] != Motion.RAPID
-    return float(np.degrees(np.abs(np.diff(made.joints.q[:, 3]))[fed].max()))
+    fed = result.joints.path.motion[1:] != Motion.RAPID
+    return float(np.degrees(np.abs(np.diff(result.joints.q[:, 3]))[fed].max()))
 
 
 def without_the_stage(monkeypatch):
@@ -148,32 +148,32 @@ def without_the_stage(monkeypatch):
 def test_rings_on_a_dome_are_cut_without_turning_back_where_the_axis_has_a_turn_to_spare(
     tmp_path, monkeypatch, low, high
 ):
-    made = milled(tmp_path, low, high)
-    assert not codes(made) & {"rewind", "rewinds", "rewinds-between-cuts"} and made.joints.rewinds == 0
-    assert "rings-begun-elsewhere" in codes(made) and jumps(made) < 60.0
-    word = np.degrees(made.joints.q[:, 3])
+    result = milled(tmp_path, low, high)
+    assert not codes(result) & {"rewind", "rewinds", "rewinds-between-cuts"} and result.joints.rewinds == 0
+    assert "rings-begun-elsewhere" in codes(result) and jumps(result) < 60.0
+    word = np.degrees(result.joints.q[:, 3])
     assert low <= word.min() and word.max() <= high
-    tip, _ = forward(made.kinematics, made.joints.q)
-    np.testing.assert_allclose(tip, made.joints.path.tip, rtol=0.0, atol=2e-4)
-    verdict = job.prove(made)
+    tip, _ = forward(result.kinematics, result.joints.q)
+    np.testing.assert_allclose(tip, result.joints.path.tip, rtol=0.0, atol=2e-4)
+    verdict = job.prove(result)
     assert not [one for one in verdict.findings if one.severity == Severity.ERROR]
     without_the_stage(monkeypatch)
     before = milled(tmp_path, low, high)
     assert marks(before) > 1
-    seen = [{tuple(row) for row in one.contact.point.round(9).tolist()} for one in (made, before)]
+    seen = [{tuple(row) for row in one.contact.point.round(9).tolist()} for one in (result, before)]
     assert seen[0] == seen[1]
 
 
 def test_rings_all_one_way_turn_back_between_them_only(tmp_path):
-    made = milled(tmp_path, -200.0, 200.0, order="one_way")
-    assert marks(made) == 0 and {"rewinds-between-cuts", "rings-begun-elsewhere"} <= codes(made)
+    result = milled(tmp_path, -200.0, 200.0, order="one_way")
+    assert marks(result) == 0 and {"rewinds-between-cuts", "rings-begun-elsewhere"} <= codes(result)
 
 
 def test_where_nothing_has_to_turn_back_rings_begin_where_they_did(tmp_path, monkeypatch):
-    made = milled(tmp_path, -400.0, 400.0)
-    assert "rings-begun-elsewhere" not in codes(made) and made.joints.rewinds == 0
+    result = milled(tmp_path, -400.0, 400.0)
+    assert "rings-begun-elsewhere" not in codes(result) and result.joints.rewinds == 0
     without_the_stage(monkeypatch)
-    assert milled(tmp_path, -400.0, 400.0).nc == made.nc
+    assert milled(tmp_path, -400.0, 400.0).nc == result.nc
 
 
 def test_the_stages_that_turn_rings_go_through_again_are_those_up_to_the_joints():

@@ -76,23 +76,23 @@ def most_at_once(log, names):
 def test_rings_run_side_by_side_and_what_each_says_stays_whole(rings, tmp_path):
     names = "abcdef"
     process = rings(dict.fromkeys(names, (0.6, 0)), "a", "b", "c", "--", "d", "e", "f")
-    said = process.communicate(timeout=300)[0]
-    assert process.returncode == 0, said
+    message = process.communicate(timeout=300)[0]
+    assert process.returncode == 0, message
     log = (tmp_path / "log").read_text()
     assert most_at_once(log, "abc") == 1, "each of these keeps every core busy"
     assert most_at_once(log, "def") == 2 and most_at_once(log, names) == 3
     for name in names:
-        assert f"{name} one\n{name} two\nrings: {name} passed" in said
-    assert said.splitlines()[-7].startswith("rings: ================ all after")
-    assert sorted(line.split()[1] for line in said.splitlines()[-6:]) == sorted(names)
+        assert f"{name} one\n{name} two\nrings: {name} passed" in message
+    assert message.splitlines()[-7].startswith("rings: ================ all after")
+    assert sorted(line.split()[1] for line in message.splitlines()[-6:]) == sorted(names)
 
 
 def test_one_that_fails_makes_all_fail_and_the_others_are_run(rings):
     process = rings({"a": (0, 3), "b": (0, 0), "c": (0, 1), "d": (0, 0)}, "a", "b", "--", "c", "d", waiting=1)
-    said = process.communicate(timeout=300)[0]
+    message = process.communicate(timeout=300)[0]
     assert process.returncode == 1
-    told = dict(re.findall(r"^rings: (\w) (passed|FAILED)", said.split("all after")[1], re.MULTILINE))
-    assert told == {"a": "FAILED", "b": "passed", "c": "FAILED", "d": "passed"}
+    reported = dict(re.findall(r"^rings: (\w) (passed|FAILED)", message.split("all after")[1], re.MULTILINE))
+    assert reported == {"a": "FAILED", "b": "passed", "c": "FAILED", "d": "passed"}
 
 
 def test_a_ring_over_its_budget_is_named_with_its_ten_dearest_tests_and_fails_nothing(rings, tmp_path):
@@ -102,9 +102,9 @@ def test_a_ring_over_its_budget_is_named_with_its_ten_dearest_tests_and_fails_no
         f"\t@echo '{seconds}.25 s of the processor: tests/test_{seconds}.py::test'\n" for seconds in range(12)
     )
     process = rings({"c": (0, 0)}, "a", "b", "c", more=f"a:\n{lines}b:\n{lines}")
-    said = process.communicate(timeout=300)[0]
-    assert process.returncode == 0, said
-    closing = said.split("all after")[1]
+    message = process.communicate(timeout=300)[0]
+    assert process.returncode == 0, message
+    closing = message.split("all after")[1]
     assert "(budget -1)" in closing and "(budget 500)" in closing and closing.count("budget") == 4, closing
     assert re.findall(r"^(\d+)\.25 s  tests/test_\1\.py::test$", closing, re.MULTILINE) == [
         str(n) for n in range(11, 1, -1)
@@ -136,8 +136,8 @@ def test_ctrl_c_ends_all_also_what_is_deaf_or_has_a_group_of_its_own(rings, tmp_
         assert time.monotonic() < end
         time.sleep(0.05)
     process.send_signal(number)
-    said = process.communicate(timeout=300)[0]
-    assert process.returncode == 130 and "rings: stopped" in said and "c begins" not in said, said
+    message = process.communicate(timeout=300)[0]
+    assert process.returncode == 130 and "rings: stopped" in message and "c begins" not in message, message
     assert not [number for number in ids.read_text().split() if alive(int(number))]
 
 

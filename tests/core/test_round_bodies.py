@@ -158,25 +158,25 @@ def test_rapids_of_independent_axes_go_over_the_clamp_too(monkeypatch):
     assert not codes(free) & {"machine-collision", "machine-unproven"} and "links-raised" in codes(free)
 
 
-def test_where_the_travel_ends_it_is_told_how_much_is_missing(monkeypatch):
+def test_where_the_travel_ends_it_is_reported_how_much_is_missing(monkeypatch):
     """A clamp 700 mm high, and with the tool of 80 mm the word of Z goes to 420 mm."""
     with_post(monkeypatch, "trunnion_ac", 700.0)
-    told = milled("trunnion_ac", **UPRIGHT)
-    (one,) = [each for each in told.findings if each.code == "no-way-round"]
-    assert "machine-collision" in codes(told) and "links-raised" not in codes(told)
+    reported = milled("trunnion_ac", **UPRIGHT)
+    (one,) = [each for each in reported.findings if each.code == "no-way-round"]
+    assert "machine-collision" in codes(reported) and "links-raised" not in codes(reported)
     assert 280.0 - 0.01 <= one.value <= 280.0 + FINE
     assert "Z would have to go 280" in one.text and "higher than its limit 420 mm" in one.text
 
 
-def test_where_a_longer_tool_would_help_it_is_told_by_how_much(monkeypatch):
+def test_where_a_longer_tool_would_help_it_is_reported_by_how_much(monkeypatch):
     """Beside a tower the spindle hits at every height that the tower has; 30 mm of tool more is above it."""
     nose = MachineBody("nose", "spindle", "cylinder", ((0.0, 0.0, 0.0), (0.0, 0.0, 60.0)), (35.0,))
     tower = MachineBody("tower", "C", "box", ((60.0, -30.0, -100.0), (90.0, 30.0, 110.0)))
     with_post(monkeypatch, "trunnion_ac", 40.0, (nose, tower))
     (one,) = [each for each in milled("trunnion_ac", **UPRIGHT).findings if each.code == "no-way-round"]
     assert one.value is None and "With a tool that sticks out 20 mm farther there is a way." in one.text
-    told = codes(milled("trunnion_ac", **{**UPRIGHT, "tool_length": LENGTH + 20.0}))
-    assert "links-raised" in told and not told & {"machine-collision", "no-way-round"}
+    reported = codes(milled("trunnion_ac", **{**UPRIGHT, "tool_length": LENGTH + 20.0}))
+    assert "links-raised" in reported and not reported & {"machine-collision", "no-way-round"}
 
 
 def test_a_rewind_is_raised_as_links_are(monkeypatch):
@@ -207,8 +207,8 @@ def test_a_rewind_is_raised_as_links_are(monkeypatch):
     np.testing.assert_allclose(axis, new.path.axis, atol=1e-4)
     cuts = [one.q[np.isin(one.path.motion, (Motion.CUT, Motion.FILL))] for one in (old, new)]
     np.testing.assert_array_equal(*cuts)
-    told = [(one.code, one.place) for one in new.findings if one.code == "rewind"]
-    assert told == [(one.code, one.place) for one in old.findings if one.code == "rewind"]
+    reported = [(one.code, one.place) for one in new.findings if one.code == "rewind"]
+    assert reported == [(one.code, one.place) for one in old.findings if one.code == "rewind"]
 
 
 def test_without_bodies_or_where_nothing_is_hit_the_program_is_the_same(monkeypatch):
@@ -234,10 +234,10 @@ def test_links_near_the_part_hold_the_tolerance_when_they_are_raised(monkeypatch
     """They were divided for where they were: higher up a link at feed would swing farther."""
     with_post(monkeypatch, name, 40.0, half=1.0)
     more = {**LEANING, "links": "near", "linearize": "on", "max_axis_angle": 50, "clearance": 40}
-    made = milled(name, mesh=SLOPES, **more)
-    assert "links-raised" in codes(made) and "deviation-over-tolerance" not in codes(made)
-    raised = made.draft.program.words[:, 2] > 60.0
-    assert raised.any() and (made.draft.program.motion[np.flatnonzero(raised)[1:]] == Motion.RAPID).all()
+    outcome = milled(name, mesh=SLOPES, **more)
+    assert "links-raised" in codes(outcome) and "deviation-over-tolerance" not in codes(outcome)
+    raised = outcome.draft.program.words[:, 2] > 60.0
+    assert raised.any() and (outcome.draft.program.motion[np.flatnonzero(raised)[1:]] == Motion.RAPID).all()
 
 
 def test_a_longer_tool_for_which_the_axis_has_no_travel_is_no_way(monkeypatch):
@@ -247,8 +247,8 @@ def test_a_longer_tool_for_which_the_axis_has_no_travel_is_no_way(monkeypatch):
     axes = tuple(replace(one, high=100.0) if one.letter == "Z" else one for one in machine.axes)
     for module in (job, options):
         monkeypatch.setattr(module, "load_machine", lambda name: replace(machine, axes=axes))
-    (told,) = (one for one in milled("trunnion_ac", **UPRIGHT).findings if one.code == "no-way-round")
-    assert "farther" not in told.text
+    (reported,) = (one for one in milled("trunnion_ac", **UPRIGHT).findings if one.code == "no-way-round")
+    assert "farther" not in reported.text
 
 
 def test_what_is_missing_is_counted_from_the_limit_where_the_path_is_beyond_it(monkeypatch):
@@ -256,10 +256,10 @@ def test_what_is_missing_is_counted_from_the_limit_where_the_path_is_beyond_it(m
     axes = tuple(replace(one, high=90.0) if one.letter == "Z" else one for one in machine.axes)
     monkeypatch.setattr(job, "load_machine", lambda name: replace(machine, axes=axes))
     monkeypatch.setattr(options, "load_machine", lambda name: replace(machine, axes=axes))
-    made = milled("trunnion_ac", **UPRIGHT)
-    (told,) = (one for one in made.findings if one.code == "no-way-round")
-    above = made.draft.program.words[:, 2].max() - made.draft.kinematics.high[2]
-    assert above > 5.0 and told.value > above + 20.0
+    outcome = milled("trunnion_ac", **UPRIGHT)
+    (reported,) = (one for one in outcome.findings if one.code == "no-way-round")
+    above = outcome.draft.program.words[:, 2].max() - outcome.draft.kinematics.high[2]
+    assert above > 5.0 and reported.value > above + 20.0
 
 
 @pytest.mark.oldest
@@ -278,5 +278,5 @@ def test_what_blocks_an_axis_is_the_body_though_fixtures_stand_about_the_part(mo
     )
     given = {**MILL, "machine": "trunnion_ac", "tool_axis": "auto", "tool_length": 40.0, "stepover": 4}
     for fixtures in ((), walls):
-        made = job.make(build_settings("mill", "part", given), mesh=part, fixtures=fixtures)
-        assert any("blocked by roof" in one.text for one in made.findings)
+        outcome = job.make(build_settings("mill", "part", given), mesh=part, fixtures=fixtures)
+        assert any("blocked by roof" in one.text for one in outcome.findings)

@@ -50,17 +50,17 @@ def posted(path_file, machine="trunnion_ac", **options):
 @pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize(("name", "how"), GUIDED)
 def test_the_words_are_the_tip_and_the_axis_of_the_cl_path_within_half_a_step(path_file, machine, name, how):
-    made = posted(path_file, machine, controller=name, rtcp=how).draft
-    program, path = made.program, made.joints.path
+    draft = posted(path_file, machine, controller=name, rtcp=how).draft
+    program, path = draft.program, draft.joints.path
     rows = program.row
-    assert np.abs(program.guided.tip - path.tip[rows]).max() <= 0.5 * 10.0**-made.dialect.linear_decimals * (
+    assert np.abs(program.guided.tip - path.tip[rows]).max() <= 0.5 * 10.0**-draft.dialect.linear_decimals * (
         1 + 1e-9
     )
-    tip, axis = forward(made.kinematics, words_to_q(program.words))
+    tip, axis = forward(draft.kinematics, words_to_q(program.words))
     assert np.abs(tip - program.guided.tip).max() < 1e-9  # where the axes stand puts the tip exactly there
     if how == "vectors":
         assert np.abs(program.guided.vector - path.axis[rows]).max() <= 0.5e-7 * (1 + 1e-6)
-    step = 10.0**-made.dialect.rotary_decimals if how == "angles" else 0.0
+    step = 10.0**-draft.dialect.rotary_decimals if how == "angles" else 0.0
     assert np.linalg.norm(axis - path.axis[rows], axis=1).max() <= np.radians(step) + 2e-7
 
 
@@ -71,10 +71,10 @@ def test_nothing_is_claimed_of_a_block_that_the_controller_guides(path_file):
     from freecad_fiveaxis.core.report import as_text
     from freecad_fiveaxis.core.report.figures import summary
 
-    told = summary(numbers)
-    assert told["guided_blocks"] == told["feed_blocks"] > 0 and told["proven"] is False
-    assert told["max_segment_deviation"] == told["max_bound"] == 0.0
-    assert told["worst_line"] is None and not len(numbers.worst), (
+    reported = summary(numbers)
+    assert reported["guided_blocks"] == reported["feed_blocks"] > 0 and reported["proven"] is False
+    assert reported["max_segment_deviation"] == reported["max_bound"] == 0.0
+    assert reported["worst_line"] is None and not len(numbers.worst), (
         "no block is the worst of what nobody has measured"
     )
     assert (
@@ -93,12 +93,12 @@ def test_nothing_is_claimed_of_a_block_that_the_controller_guides(path_file):
     assert [one for one in joint.findings if one.code == "deviation-over-tolerance"]
 
 
-def test_the_rounding_that_is_said_to_be_proven_is_that_of_the_words(path_file):
-    made = posted(path_file, rtcp="angles").draft
-    tip, _ = forward(made.kinematics, words_to_q(made.program.words))
-    off = np.linalg.norm(tip - made.joints.path.tip[made.program.row], axis=1).max()
-    said = next(one for one in made.program.findings if one.code == "tip-guided-by-controller").value
-    assert said == pytest.approx(off, abs=1e-12)
+def test_the_rounding_that_is_stated_to_be_proven_is_that_of_the_words(path_file):
+    draft = posted(path_file, rtcp="angles").draft
+    tip, _ = forward(draft.kinematics, words_to_q(draft.program.words))
+    off = np.linalg.norm(tip - draft.joints.path.tip[draft.program.row], axis=1).max()
+    message = next(one for one in draft.program.findings if one.code == "tip-guided-by-controller").value
+    assert message == pytest.approx(off, abs=1e-12)
 
 
 def test_f_is_the_feed_of_the_tip_under_g94_and_the_blocks_time_under_g93(path_file):
@@ -139,7 +139,7 @@ def test_blocks_table_shows_the_words_of_the_nc_file(path_file, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("given", "message"),
     [
         (["--rtcp"], "angles"),
         (["--rtcp", "vectors"], "vectors"),
@@ -149,7 +149,7 @@ def test_blocks_table_shows_the_words_of_the_nc_file(path_file, tmp_path):
     ],
 )
 def test_rtcp_may_stand_bare_on_the_command_line_even_before_the_file(
-    path_file, tmp_path, given, said, capsys
+    path_file, tmp_path, given, message, capsys
 ):
     report, out = tmp_path / "a.json", tmp_path / "a.mpf"
     words = [
@@ -166,7 +166,7 @@ def test_rtcp_may_stand_bare_on_the_command_line_even_before_the_file(
         report,
     ]
     cli.main([str(word) for word in (*words, "--quiet")])
-    assert json.loads(report.read_text())["inputs"]["rtcp"] == said
+    assert json.loads(report.read_text())["inputs"]["rtcp"] == message
 
 
 def test_true_in_a_job_file_means_the_same_as_the_bare_option(path_file):
@@ -175,7 +175,7 @@ def test_true_in_a_job_file_means_the_same_as_the_bare_option(path_file):
 
 
 @pytest.mark.parametrize(
-    ("options", "said"),
+    ("options", "message"),
     [
         ({"controller": "mach3", "rtcp": "angles"}, "mach3 does not guide the tip itself"),
         ({"controller": "grbl", "rtcp": "angles"}, "--linearize on"),
@@ -186,13 +186,13 @@ def test_true_in_a_job_file_means_the_same_as_the_bare_option(path_file):
         ({"controller": "grbl", "high_speed": "on"}, "no high-speed mode"),
     ],
 )
-def test_what_cannot_be_written_is_refused_with_its_remedy(path_file, options, said):
-    with pytest.raises(SettingsError, match=said):
+def test_what_cannot_be_written_is_refused_with_its_remedy(path_file, options, message):
+    with pytest.raises(SettingsError, match=message):
         posted(path_file, **options)
 
 
 def test_the_high_speed_mode_stands_in_the_head(path_file):
-    made = posted(path_file, controller="heidenhain", high_speed="on", blend=0.02, rtcp="angles").draft
-    nc = made.nc.decode()
-    first = nc.index(nc.split("\n")[int(made.program.line[0]) - 1])
+    draft = posted(path_file, controller="heidenhain", high_speed="on", blend=0.02, rtcp="angles").draft
+    nc = draft.nc.decode()
+    first = nc.index(nc.split("\n")[int(draft.program.line[0]) - 1])
     assert nc.index("CYCL DEF 32.1 T0.0200") < nc.index("FUNCTION TCPM F TCP") < first

@@ -113,7 +113,7 @@ def test_the_machine_file_says_how_programs_begin(given, read, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("given", "message"),
     [
         (
             {"retract": "home"},
@@ -133,11 +133,11 @@ def test_the_machine_file_says_how_programs_begin(given, read, tmp_path):
         ("G28", r"fiveaxis\.safe_start: 'G28' is not an object"),
     ],
 )
-def test_a_safe_start_that_makes_no_sense_is_refused_with_its_key(given, said, tmp_path):
+def test_a_safe_start_that_makes_no_sense_is_refused_with_its_key(given, message, tmp_path):
     data = json.loads((machine_folder() / "trunnion_ac.fcm").read_text())
     data["fiveaxis"]["safe_start"] = given
     (tmp_path / "a.fcm").write_text(json.dumps(data))
-    with pytest.raises(MachineError, match=said):
+    with pytest.raises(MachineError, match=message):
         load_machine(tmp_path / "a.fcm")
 
 
@@ -203,9 +203,9 @@ def traverses(nc, folder):
     ("start", "z"), [(SafeStart("machine", 200.0), 200.0), (SafeStart(), None), (SafeStart("reference"), 0.0)]
 )
 def test_linuxcnc_drives_z_then_the_rotary_axes_then_x_and_y_then_z(start, z, tmp_path):
-    made = posted(tmp_path, start)
-    moves = traverses(made.nc, tmp_path)
-    first = made.program.words[0]
+    result = posted(tmp_path, start)
+    moves = traverses(result.nc, tmp_path)
+    first = result.program.words[0]
     at = (
         [moves[0]] if start.retract != "reference" else [moves[0], moves[1]]
     )  # G28 goes by way of where it is
@@ -235,16 +235,16 @@ def test_linuxcnc_drives_z_then_the_rotary_axes_then_x_and_y_then_z(start, z, tm
 def test_the_written_file_is_read_again_as_the_same_blocks_and_without_a_word_of_its_start(
     start, options, tmp_path
 ):
-    made = posted(tmp_path, start, tool=3, spindle=9000.0, **options)
-    again = read_nc(made.nc, made.kinematics, made.dialect)
-    own = np.isin(again.line, made.program.line)
-    assert np.abs(again.words[own] - made.program.words).max() < 1e-9 and np.array_equal(
-        again.line[own], made.program.line
+    result = posted(tmp_path, start, tool=3, spindle=9000.0, **options)
+    again = read_nc(result.nc, result.kinematics, result.dialect)
+    own = np.isin(again.line, result.program.line)
+    assert np.abs(again.words[own] - result.program.words).max() < 1e-9 and np.array_equal(
+        again.line[own], result.program.line
     )
     assert {found.code for found in again.findings} <= {"tip-guided-by-controller"}
     others = again.words[~own]  # of a plane above the part only: over the first place, and over the last
     if len(others):
-        ends = made.program.words[[0, -1]]
+        ends = result.program.words[[0, -1]]
         assert start.retract == "clearance" and len(others) == 2
         assert (
             np.abs(others[:, [0, 1, 3, 4]] - ends[:, [0, 1, 3, 4]]).max() < 2e-4
@@ -252,7 +252,7 @@ def test_the_written_file_is_read_again_as_the_same_blocks_and_without_a_word_of
         )
     elif start.retract == "clearance":
         assert options["controller"] in ("fanuc", "haas")
-        assert any(found.code == "starts-at-reference" for found in made.findings)
+        assert any(found.code == "starts-at-reference" for found in result.findings)
 
 
 def groups_of(line):
@@ -271,8 +271,8 @@ def test_no_line_before_the_first_block_drives_two_groups_and_the_guide_comes_af
 ):
     if rtcp == "angles" and controller in ("mach3", "grbl"):
         pytest.skip("no RTCP")
-    made = posted(tmp_path, start, controller=controller, rtcp=rtcp, tool=3)
-    head = made.nc.decode().split(made.dialect.newline)[: int(made.program.line[0]) - 1]
+    result = posted(tmp_path, start, controller=controller, rtcp=rtcp, tool=3)
+    head = result.nc.decode().split(result.dialect.newline)[: int(result.program.line[0]) - 1]
     code = [re.sub(r"\(.*\)$|;.*", "", line) for line in head]
     driven = [
         (k, groups_of(line)) for k, line in enumerate(code) if groups_of(line) and "TOOL CALL" not in line
@@ -283,7 +283,7 @@ def test_no_line_before_the_first_block_drives_two_groups_and_the_guide_comes_af
         guide = next(
             k
             for k, line in enumerate(code)
-            if made.dialect.guide.on[0].split(" {")[0].split()[0] in line.split()
+            if result.dialect.guide.on[0].split(" {")[0].split()[0] in line.split()
         )
         assert driven[-1][0] < guide or controller.startswith("heidenhain")
 
@@ -298,7 +298,7 @@ def test_the_head_names_tool_cutter_and_length(tmp_path):
     )
 
 
-def test_a_spindle_that_stays_off_is_said(tmp_path):
+def test_a_spindle_that_stays_off_is_stated(tmp_path):
     found = [one for one in posted(tmp_path).findings if one.code == "spindle-off"]
     assert [(one.severity, one.text) for one in found] == [
         (Severity.WARNING, "The spindle stays off: give --spindle S.")
@@ -307,42 +307,44 @@ def test_a_spindle_that_stays_off_is_said(tmp_path):
 
 
 @pytest.mark.parametrize("given", ["off", 0.0])
-def test_a_spindle_that_is_asked_to_stay_off_is_a_note(tmp_path, given):
-    made = posted(tmp_path, spindle=given)
-    found = [one for one in made.findings if one.code == "spindle-off"]
+def test_a_spindle_that_is_requested_to_stay_off_is_a_note(tmp_path, given):
+    result = posted(tmp_path, spindle=given)
+    found = [one for one in result.findings if one.code == "spindle-off"]
     assert [(one.severity, one.text.startswith("The spindle stays off, as asked")) for one in found] == [
         (Severity.NOTE, True)
     ]
-    assert b"M5" in made.nc and b"M3" not in made.nc
+    assert b"M5" in result.nc and b"M3" not in result.nc
 
 
-def test_a_plane_beyond_the_travel_is_lowered_to_it_and_said(tmp_path):
-    made = posted(tmp_path, SafeStart(), tool_length=20.0, origin="0,0,450")
-    found = [one for one in made.findings if one.code == "safe-start-beyond-limit"]
+def test_a_plane_beyond_the_travel_is_lowered_to_it_and_stated(tmp_path):
+    result = posted(tmp_path, SafeStart(), tool_length=20.0, origin="0,0,450")
+    found = [one for one in result.findings if one.code == "safe-start-beyond-limit"]
     assert len(found) == 1 and found[0].severity is Severity.WARNING
-    assert f"\nG0 Z{found[0].limit:.4f}\n".encode() in made.nc and found[0].limit == 500.0 - 450.0 - 20.0
+    assert f"\nG0 Z{found[0].limit:.4f}\n".encode() in result.nc and found[0].limit == 500.0 - 450.0 - 20.0
 
 
 def test_a_start_from_below_through_the_part_is_an_error(tmp_path):
     lean = math.radians(-20.0)
     down = (math.cos(lean), 0.0, math.sin(lean))
-    made = posted(tmp_path, SafeStart(), axes=(down, down))
+    result = posted(tmp_path, SafeStart(), axes=(down, down))
     for side, errors in ((25.0, 2), (-25.0, 0)):  # the tool comes from +X, and a little from below
         box = (np.array([side - 5.0, -20.0, -100.0]), np.array([side + 20.0, 40.0, 58.0]))
-        context = JobContext(made.settings, made.machine, made.kinematics, made.dialect, box, silent)
-        found = [one for one in start_findings(context, made.program) if one.code == "start-through-part"]
+        context = JobContext(result.settings, result.machine, result.kinematics, result.dialect, box, silent)
+        found = [one for one in start_findings(context, result.program) if one.code == "start-through-part"]
         assert [one.severity for one in found] == [Severity.ERROR] * errors
         assert all("because the tool axis points downwards there" in one.text for one in found)
-        of_cl = PostContext(made.settings, made.machine, made.kinematics, made.dialect, box, silent, box)
-        found = [one for one in start_findings(of_cl, made.program) if one.code == "start-through-part"]
+        of_cl = PostContext(
+            result.settings, result.machine, result.kinematics, result.dialect, box, silent, box
+        )
+        found = [one for one in start_findings(of_cl, result.program) if one.code == "start-through-part"]
         assert [one.severity for one in found] == [Severity.WARNING] * errors, "the part is not known"
 
 
-def test_a_part_above_an_upright_tool_is_not_told_of_as_an_axis_that_points_downwards(tmp_path):
-    made = posted(tmp_path, SafeStart())
+def test_a_part_above_an_upright_tool_is_not_reported_of_as_an_axis_that_points_downwards(tmp_path):
+    result = posted(tmp_path, SafeStart())
     box = (np.array([0.0, 0.0, 65.0]), np.array([80.0, 80.0, 200.0]))
-    context = JobContext(made.settings, made.machine, made.kinematics, made.dialect, box, silent)
-    found = [one for one in start_findings(context, made.program) if one.code == "start-through-part"]
+    context = JobContext(result.settings, result.machine, result.kinematics, result.dialect, box, silent)
+    found = [one for one in start_findings(context, result.program) if one.code == "start-through-part"]
     assert [one.severity for one in found] == [Severity.ERROR] * 2
     assert all("which lies above that place" in one.text and "down" not in one.text[25:] for one in found)
 
@@ -360,8 +362,8 @@ def path_with_link(folder, high):
 
 def through(source, **options):
     given = {"machine": "trunnion_ac", "tool_length": 90.0, "spindle": "off"} | options
-    made = job.make(build_settings("post", source, given))
-    return [one for one in made.findings if one.code == "start-through-part"]
+    result = job.make(build_settings("post", source, given))
+    return [one for one in result.findings if one.code == "start-through-part"]
 
 
 def test_links_and_retracts_of_a_cl_file_do_not_stand_for_the_part(tmp_path):

@@ -29,8 +29,8 @@ def milled():
     def figures(**options):
         key = tuple(sorted(options.items()))
         if key not in kept:
-            asked = {"machine": "trunnion_ac", "stepover": 3, "cutter": "ball:6", **options}
-            kept[key] = job.figures(job.prove(job.make(build_settings("mill", "box.stl", asked), mesh=mesh)))
+            wanted = {"machine": "trunnion_ac", "stepover": 3, "cutter": "ball:6", **options}
+            kept[key] = job.figures(job.prove(job.make(build_settings("mill", "box.stl", wanted), mesh=mesh)))
         return kept[key]
 
     return figures
@@ -82,7 +82,7 @@ def test_what_enters_the_part_or_is_open_is_not_proven(milled):
         )
 
 
-def test_without_the_gouge_check_nothing_is_said_of_the_part(milled):
+def test_without_the_gouge_check_nothing_is_stated_of_the_part(milled):
     found = scope_of(milled(gouge="off"))
     assert not any("the part" in one for one in found.proven) and any(
         "not looked at" in one for one in found.unknown
@@ -96,5 +96,5 @@ def test_every_report_has_the_box(milled):
     for one in (*found.proven, *found.assumed, *found.unknown):
         assert " ".join(one.split()) in text and one.replace("'", "&#x27;") in page
     assert json.loads(as_json(figures))["scope"] == {
-        name: list(said) for name, said in found._asdict().items()
+        name: list(message) for name, message in found._asdict().items()
     }

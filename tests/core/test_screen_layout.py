@@ -48,7 +48,7 @@ def test_no_label_lies_over_another_nor_over_a_legend_nor_out_of_the_view(seed):
     )
 
 
-def test_where_labels_stood_before_they_lay_over_each_other():
+def test_where_labels_were_before_they_lay_over_each_other():
     """The old place, up and right of the anchor, for three anchors that are near to each other: the count
     would notice it."""
     anchor = np.array([[600.0, 350.0], [606.0, 352.0], [640.0, 340.0]])

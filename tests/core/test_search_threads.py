@@ -70,7 +70,7 @@ def test_entries_are_the_same_to_the_last_bit_by_any_number_of_threads(monkeypat
     assert all((a == b).all() for a, b in zip(columns(one), columns(many), strict=True))
 
 
-def test_only_the_blocks_asked_for_are_filled_in(monkeypatch, mesh):
+def test_only_the_blocks_requested_are_filled_in(monkeypatch, mesh):
     tree, swept, some = facet_tree(mesh), straight_motion(*poses(mesh)), np.arange(3, 300, 3)
     found, _ = with_threads(monkeypatch, 3, lambda: find_entries(BODY, tree, swept, 0.01, blocks=some))
     others = np.setdiff1d(np.arange(len(swept)), some)
@@ -112,7 +112,7 @@ def test_where_the_work_is_stopped_every_thread_ends_at_its_next_tick(monkeypatc
     monkeypatch.setattr(chunks, "ALONE", False)
     monkeypatch.setattr(chunks, "PROCESSORS", 2)
     monkeypatch.setattr(search, "PAUSE", -1.0)
-    caller, stopped, said = threading.get_ident(), threading.Event(), []
+    caller, stopped, message = threading.get_ident(), threading.Event(), []
 
     def batch(self, blocks, ticks):
         if threading.get_ident() != caller:
@@ -123,8 +123,8 @@ def test_where_the_work_is_stopped_every_thread_ends_at_its_next_tick(monkeypatc
 
     def progress(stage, share):
         assert threading.get_ident() == caller
-        said.append(share)
-        if len(said) == word:
+        message.append(share)
+        if len(message) == word:
             stopped.set()
             raise Cancelled("stopped")
 
@@ -132,4 +132,4 @@ def test_where_the_work_is_stopped_every_thread_ends_at_its_next_tick(monkeypatc
     before = threading.active_count()
     with pytest.raises(Cancelled):
         find_entries(BODY, facet_tree(mesh), straight_motion(*poses(mesh)), 0.01, progress=progress)
-    assert len(said) == word and said == sorted(said) and threading.active_count() == before
+    assert len(message) == word and message == sorted(message) and threading.active_count() == before

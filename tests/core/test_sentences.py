@@ -51,14 +51,14 @@ def inches(measure):
 
 
 def test_it_is_a_plain_str_in_mm():
-    said = say("The tool enters the part by {depth} at {count} places.", depth=Length(5.0), count=203)
-    assert said == "The tool enters the part by 5 mm at 203 places." and isinstance(said, str)
-    assert json.loads(json.dumps({"text": said})) == {"text": str(said)} and type(str(said)) is str
+    message = say("The tool enters the part by {depth} at {count} places.", depth=Length(5.0), count=203)
+    assert message == "The tool enters the part by 5 mm at 203 places." and isinstance(message, str)
+    assert json.loads(json.dumps({"text": message})) == {"text": str(message)} and type(str(message)) is str
 
 
-def test_it_is_said_again_in_german_and_inches():
-    said = say("The tool enters the part by {depth} at {count} places.", depth=Length(5.0), count=203)
-    assert render(said, german, inches) == "An 203 Stellen dringt das Werkzeug 0.19685 in ein."
+def test_it_is_stated_again_in_german_and_inches():
+    message = say("The tool enters the part by {depth} at {count} places.", depth=Length(5.0), count=203)
+    assert render(message, german, inches) == "An 203 Stellen dringt das Werkzeug 0.19685 in ein."
 
 
 def test_any_other_text_comes_back():
@@ -102,26 +102,26 @@ NAMES = {
 
 @pytest.mark.parametrize("named", NAMES)
 def test_settings_choices_and_tasks_have_names_of_their_own_in_a_window(named):
-    said = beginning(join_sentences([say("Split it."), say("{named}", named=named)]))
-    assert render(said, lambda _, text: text, inches, NAMES.__getitem__) == f"Split it. {NAMES[named]}"
+    message = beginning(join_sentences([say("Split it."), say("{named}", named=named)]))
+    assert render(message, lambda _, text: text, inches, NAMES.__getitem__) == f"Split it. {NAMES[named]}"
 
 
 @pytest.mark.parametrize(
-    ("count", "text", "told"),
+    ("count", "text", "reported"),
     [(1, "1 block leaves", "1 Satz verlässt"), (3, "3 blocks leave", "3 Sätze verlassen")],
 )
-def test_one_and_many(count, text, told):
-    said = plural(count, "{count} block leaves", "{count} blocks leave")
-    assert said == text and render(said, german, inches) == told
+def test_one_and_many(count, text, reported):
+    message = plural(count, "{count} block leaves", "{count} blocks leave")
+    assert message == text and render(message, german, inches) == reported
 
 
 def test_joined_and_added_sentences_are_translated_one_by_one():
-    said = (
+    message = (
         join_sentences([say("Split it."), "", plural(1, "{count} block leaves", "{count} blocks leave")])
         + ": {C}"
     )
-    assert said == "Split it. 1 block leaves: {C}"
-    assert render(said, german, inches) == "Teilen Sie ihn. 1 Satz verlässt: {C}"
+    assert message == "Split it. 1 block leaves: {C}"
+    assert render(message, german, inches) == "Teilen Sie ihn. 1 Satz verlässt: {C}"
     assert render("X: " + say("Split it."), german, inches) == "X: Teilen Sie ihn."
 
 
@@ -153,10 +153,10 @@ def test_findings_keep_theirs(again):
     assert render(back.text, german, inches) == render(text, german, inches)
 
 
-def test_the_context_is_asked_for():
-    asked = []
-    render(say("Split it."), lambda context, text: asked.append(context) or text, inches)
-    assert asked == [CONTEXT]
+def test_the_context_is_requested():
+    wanted = []
+    render(say("Split it."), lambda context, text: wanted.append(context) or text, inches)
+    assert wanted == [CONTEXT]
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ def mill(**options):
 
 
 @pytest.mark.parametrize("given", ["fast", "1000 rpm", "OFF?"])
-def test_a_spindle_that_is_no_speed_is_told_of_off(given):
+def test_a_spindle_that_is_no_speed_is_reported_of_off(given):
     with pytest.raises(SettingsError, match="is no speed; give a number, 1/min, or off"):
         build_settings("mill", "part.stl", {"machine": "trunnion_ac", "output": "o.ngc", "spindle": given})
 
@@ -80,7 +80,7 @@ def test_former_names_are_those_of_no_option_and_lead_to_one():
      ({"direction": 0, "passes": "scallop"}, "scallop", "auto"), ({"cutter": "taperball:4:5deg"}, "scallop", "auto"),
      ({"cutter": "bull:10:2"}, "scallop", "face_normal"), ({"cutter": "flat:6", "tool_axis": "auto"}, "scallop", "auto")],
 )  # fmt: skip
-def test_strategies_that_are_not_named_are_chosen_by_what_is_asked(options, passes, tool_axis):
+def test_strategies_that_are_not_named_are_chosen_by_what_is_requested(options, passes, tool_axis):
     settings = mill(**options)
     assert (settings.passes.passes, settings.tool_axis.tool_axis) == (passes, tool_axis)
     flat = flat_options(settings)
@@ -178,11 +178,11 @@ def test_a_source_that_no_file_can_be_is_refused(source):
 
 
 @pytest.mark.parametrize("task", ["audit", "recover"])
-def test_what_a_program_does_not_say_itself_can_be_said(task: str) -> None:
+def test_what_a_program_does_not_say_itself_can_be_stated(task: str) -> None:
     more = {"program": "p.nc"} if task == "recover" else {}
-    told = build_settings(
+    reported = build_settings(
         task, "p.nc", {"machine": "trunnion_ac", "units": "inch", "decimal": "least-increment", **more}
     )
-    assert (told.reading.units, told.reading.decimal) == ("inch", "least-increment")
+    assert (reported.reading.units, reported.reading.decimal) == ("inch", "least-increment")
     with pytest.raises(SettingsError, match="not one of file, mm, inch"):
         build_settings(task, "p.nc", {"machine": "trunnion_ac", "units": "cm", **more})

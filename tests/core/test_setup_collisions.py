@@ -170,18 +170,18 @@ def test_far_bodies_change_nothing_but_that_somebody_has_looked(given, tmp_path)
         assert one | {"machine_hit": None} == other
 
 
-def test_where_a_longer_tool_is_free_it_is_told_and_mill_with_it_hits_nothing(given, tmp_path, capsys):
+def test_where_a_longer_tool_is_free_it_is_reported_and_mill_with_it_hits_nothing(given, tmp_path, capsys):
     """The holder of 20 mm radius over the part's top, at 6 mm, goes into a post that is 60 mm high and 25 mm
     beside the part's middle, wherever the part stands; over it a tool of 54 mm is free."""
     words = given((25.0, -60.0, -200.0), (60.0, 60.0, 60.0))[:-1]  # what is told is read
     report = tmp_path / "map.json"
     where = ["--origin=0,0,0", "--region", "3,0,0", "--grid", "3,1,1", "--report", str(report)]
     assert cli.main(["setup", *words, *where]) == 1
-    told = " ".join(capsys.readouterr().out.split())
+    reported = " ".join(capsys.readouterr().out.split())
     record = json.loads(report.read_text())
     codes = [one["code"] for one in record["findings"]]
     assert "no-setup-free" in codes and "stick-out-too-short" in codes
-    assert "hit the machine in every setup that was tried. With one that sticks out 54" in told
+    assert "hit the machine in every setup that was tried. With one that sticks out 54" in reported
     found, best = record["stick_out"], record["setups"][record["best"]]
     assert found["enough"] == pytest.approx(54.0, abs=0.15) and found["met"]["entered"] == "post"
     assert best["machine_hit"] == pytest.approx(4.0, abs=0.1)
@@ -213,6 +213,6 @@ def test_where_the_machine_is_hit_everywhere_the_map_is_refused_in_one_line(give
             str(tmp_path / "map.json"),
         ]
     )
-    said = capsys.readouterr().err
-    assert code == 2 and said.count("\n") == 1 and "In all" in said and "post" in said
+    message = capsys.readouterr().err
+    assert code == 2 and message.count("\n") == 1 and "In all" in message and "post" in message
     assert not (tmp_path / "map.json").exists()

@@ -51,11 +51,11 @@ from freecad_fiveaxis.core.studies.setup_map.setups import MOST_SETUPS, recommen
 COARSE = {"stepover": 12.0, "rings": 8}
 
 
-def full_run(made, machine, origin, turn):
+def full_run(result, machine, origin, turn):
     """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the pipeline's own
     calls."""
-    kinematics = chain(machine, Setup(tuple(origin), made.settings.machine.tool_length or 0.0))
-    path, how = turn_path(made.path, turn), posting(made)
+    kinematics = chain(machine, Setup(tuple(origin), result.settings.machine.tool_length or 0.0))
+    path, how = turn_path(result.path, turn), posting(result)
     joints = solve(path, kinematics, *part_box(path, how.part, turn), how.clearance, how.radius)
     program = build_program(joints, kinematics, how.dialect, how.inverse_time)
     segment = measure(kinematics, program.words).segment[feed_blocks(program)]
@@ -67,9 +67,9 @@ def full_run(made, machine, origin, turn):
 @pytest.fixture(scope="module")
 def chart():
     """A map that has something of everything: three axes, two turns, places beyond the limits."""
-    made = milled(**COARSE)
+    result = milled(**COARSE)
     region = Region((-700.0, -100.0, -90.0), (100.0, 120.0, 30.0), (3, 2, 2), (0.0, 0.7))
-    return setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made), 0.01)
+    return setup_map(result.path, result.machine, Setup((60.0, 10.0, -20.0)), region, posting(result), 0.01)
 
 
 @some_in_core("machine", ["trunnion_ac", "trunnion_bc"])
@@ -86,8 +86,8 @@ def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
         "gouge": "off",
     }
     found = trials.try_setups(build_settings("setup", "cap.stl", given), mesh=cap()).chart
-    made = milled(machine)
-    at_centre = full_run(made, made.machine, centre, 0.0)[0]
+    result = milled(machine)
+    at_centre = full_run(result, result.machine, centre, 0.0)[0]
     assert found.max_deviation[0] > 10.0 * found.max_deviation[found.best]
     assert found.max_deviation[found.best] <= 1.02 * at_centre + 1e-4
     assert np.linalg.norm(found.origin[found.best][:2]) < 3.8  # within a stepover of the table's axis
@@ -96,29 +96,32 @@ def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
 
 @pytest.mark.slow
 def test_the_map_agrees_with_a_full_run_at_20_random_setups():
-    made, rng = milled(**COARSE), np.random.default_rng(4)
+    result, rng = milled(**COARSE), np.random.default_rng(4)
     low = rng.uniform(-200.0, 0.0, 3)
     region = Region(tuple(low), tuple(low + rng.uniform(50.0, 300.0, 3)), (3, 2, 2), (0.0, 0.7))
-    chart = setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made))
+    chart = setup_map(result.path, result.machine, Setup((60.0, 10.0, -20.0)), region, posting(result))
     for row in rng.choice(len(chart.turn), 20, replace=False):
-        run = full_run(made, made.machine, chart.origin[row], chart.turn[row])
+        run = full_run(result, result.machine, chart.origin[row], chart.turn[row])
         mapped = [
             column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)
         ]
         assert np.abs(np.subtract(mapped, run)).max() <= 1e-6
     assert (
-        abs(mapped[0] - full_run(made, made.machine, chart.origin[row] + (1.0, 0.0, 0.0), chart.turn[row])[0])
+        abs(
+            mapped[0]
+            - full_run(result, result.machine, chart.origin[row] + (1.0, 0.0, 0.0), chart.turn[row])[0]
+        )
         > 1e-6
     )
 
 
 @some_in_core("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"])
 def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
-    made = milled(machine, tool_length=80.0, **COARSE)
+    result = milled(machine, tool_length=80.0, **COARSE)
     region = Region((-50.0, -30.0, 0.0), (40.0, 60.0, 90.0), (2, 1, 1), (1.0,))
-    chart = setup_map(made.path, made.machine, Setup((10.0, 10.0, 10.0), 80.0), region, posting(made))
+    chart = setup_map(result.path, result.machine, Setup((10.0, 10.0, 10.0), 80.0), region, posting(result))
     for row in range(len(chart.turn)):
-        run = full_run(made, made.machine, chart.origin[row], chart.turn[row])
+        run = full_run(result, result.machine, chart.origin[row], chart.turn[row])
         mapped = [
             column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)
         ]
@@ -134,31 +137,31 @@ def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
         math.radians(120.0),
     )
     given = {"machine": "trunnion_ac", "stepover": 12.0}
-    asked = {"grid": "1,1,1", "region": "30,30,0", "turns": 3, "gouge": "off"}
-    chart = trials.try_setups(build_settings("setup", "cap.stl", given | asked), mesh=off).chart
+    wanted = {"grid": "1,1,1", "region": "30,30,0", "turns": 3, "gouge": "off"}
+    chart = trials.try_setups(build_settings("setup", "cap.stl", given | wanted), mesh=off).chart
     row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
-    made = job.make(
+    result = job.make(
         build_settings("mill", "cap.stl", {**given, **UNCURED}),
         mesh=from_faces(turn_points(off.vertex, turn), off.face),
     )
-    segment = measure(made.kinematics, made.program.words).segment[feed_blocks(made.program)]
+    segment = measure(result.kinematics, result.program.words).segment[feed_blocks(result.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
 
 
 def test_the_present_row_is_what_mill_reports(chart):
-    made = milled(**COARSE, origin=(60.0, 10.0, -20.0))
-    segment = measure(made.kinematics, made.program.words).segment[feed_blocks(made.program)]
+    result = milled(**COARSE, origin=(60.0, 10.0, -20.0))
+    segment = measure(result.kinematics, result.program.words).segment[feed_blocks(result.program)]
     assert chart.max_deviation[0] == pytest.approx(segment.max(), abs=1e-9)
-    assert chart.time[0] == pytest.approx(made.program.seconds.sum(), abs=1e-9)
+    assert chart.time[0] == pytest.approx(result.program.seconds.sum(), abs=1e-9)
 
 
 @pytest.mark.thorough
 def test_the_deviation_is_convex_in_the_work_zero():
     """What the proof rests on: at the middle of two work zeros it is no more than the mean, but for the
     rounding of words."""
-    made, rng = milled(**COARSE), np.random.default_rng(1)
-    driven = drive_turned(made.path, made.machine, Setup(), posting(made), 0.3)
+    result, rng = milled(**COARSE), np.random.default_rng(1)
+    driven = drive_turned(result.path, result.machine, Setup(), posting(result), 0.3)
     for _ in range(12):
         a, b = rng.uniform(-150.0, 150.0, (2, 3))
         ends = [driven.cost(one).deviation for one in (a, b)]
@@ -167,10 +170,10 @@ def test_the_deviation_is_convex_in_the_work_zero():
 
 @pytest.mark.thorough
 def test_no_work_zero_has_less_than_the_proven_least():
-    made, rng = milled(**COARSE), np.random.default_rng(2)
+    result, rng = milled(**COARSE), np.random.default_rng(2)
     region = Region((-80.0, -80.0, -80.0), (80.0, 80.0, 80.0), (1, 1, 1))
-    chart = setup_map(made.path, made.machine, Setup((70.0, 0.0, 0.0)), region, posting(made))
-    driven = drive_turned(made.path, made.machine, Setup(), posting(made), 0.0)
+    chart = setup_map(result.path, result.machine, Setup((70.0, 0.0, 0.0)), region, posting(result))
+    driven = drive_turned(result.path, result.machine, Setup(), posting(result), 0.0)
     around = np.concatenate(
         [rng.uniform(-80.0, 80.0, (20, 3)), chart.origin[-1] + rng.normal(0.0, 3.0, (20, 3))]
     )
@@ -184,28 +187,28 @@ def test_no_work_zero_has_less_than_the_proven_least():
 
 def test_where_no_direction_matters_the_part_stays():
     """Of a machine whose both axes are in the head the deviation does not depend on the work zero at all."""
-    made = milled("fork_head_bc", tool_length=80.0, **COARSE)
+    result = milled("fork_head_bc", tool_length=80.0, **COARSE)
     region = Region((-50.0, -50.0, -50.0), (50.0, 50.0, 50.0), (2, 1, 1))
-    chart = setup_map(made.path, made.machine, Setup((0.0, 0.0, 0.0), 80.0), region, posting(made))
+    chart = setup_map(result.path, result.machine, Setup((0.0, 0.0, 0.0), 80.0), region, posting(result))
     assert chart.origin[chart.best] == pytest.approx([0.0, 0.0, 0.0], abs=1e-3)
     assert verdict(chart).startswith("The present setup is as good as any")
 
 
-def test_limits_are_told_where_they_are_left(chart):
-    made = milled(**COARSE)
+def test_limits_are_reported_where_they_are_left(chart):
+    result = milled(**COARSE)
     assert not chart.within_limits.all() and chart.within_limits.any()
     assert (chart.within_limits == (chart.over <= 1e-6)).all()
     row = int(chart.over.argmax())
     assert chart.over[row] == pytest.approx(
-        full_run(made, made.machine, chart.origin[row], chart.turn[row])[3], abs=1e-6
+        full_run(result, result.machine, chart.origin[row], chart.turn[row])[3], abs=1e-6
     )
     assert chart.within_limits[chart.best]
 
 
 def test_a_region_that_leaves_every_limit_recommends_nothing_and_tells_by_how_much():
-    made = milled(**COARSE)
+    result = milled(**COARSE)
     region = Region((900.0, -10.0, -10.0), (1000.0, 10.0, 10.0), (2, 1, 1))
-    chart = setup_map(made.path, made.machine, Setup(), region, posting(made))
+    chart = setup_map(result.path, result.machine, Setup(), region, posting(result))
     assert chart.best is None and not chart.within_limits[chart.kind == Kind.GRID].any()
     (finding,) = [one for one in chart.findings if one.code != "table-unknown"]
     assert finding.code == "no-setup-within-limits"
@@ -224,12 +227,14 @@ UNKNOWN = "The height of the table is not known: check that the part stands on i
 @pytest.mark.oldest
 @pytest.mark.thorough
 def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
-    made = milled(**COARSE)
-    bottom = min(made.mesh.vertex[:, 2].tolist())
+    result = milled(**COARSE)
+    bottom = min(result.mesh.vertex[:, 2].tolist())
     table = bottom - 10.0  # the work zero must stand at Z -10 or higher
     region = Region((-50.0, -50.0, -90.0), (50.0, 50.0, 30.0), (2, 2, 4))
-    free = setup_map(made.path, made.machine, Setup((0.0, 0.0, -20.0)), region, posting(made))
-    chart = setup_map(made.path, made.machine, Setup((0.0, 0.0, -20.0)), region, posting(made), table=table)
+    free = setup_map(result.path, result.machine, Setup((0.0, 0.0, -20.0)), region, posting(result))
+    chart = setup_map(
+        result.path, result.machine, Setup((0.0, 0.0, -20.0)), region, posting(result), table=table
+    )
     assert free.origin[free.best, 2] < -10.0 <= chart.origin[chart.best, 2]  # the table is what decides
     below = chart.origin[:, 2] + bottom < table - 1e-6
     assert below.any() and np.array_equal(chart.stands, ~below) and free.stands.all()
@@ -241,8 +246,8 @@ def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
         chart
     ) and "In the present setup the part reaches below the table" in verdict(chart)
     assert UNKNOWN not in verdict(chart) and "below the table" in setup_text(chart)
-    told = [one for one in chart.findings if one.code == "part-below-table"]
-    assert len(told) == 1 and told[0].value == pytest.approx(-10.0)
+    reported = [one for one in chart.findings if one.code == "part-below-table"]
+    assert len(reported) == 1 and reported[0].value == pytest.approx(-10.0)
     assert chart.least >= free.least - 1e-9  # proven of what stands
     record = json.loads(setup_json(chart))
     assert (
@@ -251,15 +256,15 @@ def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
     )
 
 
-def test_a_table_that_is_not_known_is_said(chart):
+def test_a_table_that_is_not_known_is_stated(chart):
     assert chart.table is None and verdict(chart).endswith(UNKNOWN + ".")
     assert [one.code for one in chart.findings].count("table-unknown") == 1
 
 
 def test_a_region_that_lies_below_the_table_recommends_nothing():
-    made = milled(**COARSE)
+    result = milled(**COARSE)
     region = Region((-50.0, -50.0, -90.0), (50.0, 50.0, -60.0), (2, 2, 1))
-    chart = setup_map(made.path, made.machine, Setup(), region, posting(made), table=500.0)
+    chart = setup_map(result.path, result.machine, Setup(), region, posting(result), table=500.0)
     assert chart.best is None and chart.findings[0].code == "no-setup-on-the-table"
     assert "the part on the table" in verdict(chart)
 
@@ -276,32 +281,32 @@ def test_a_region_that_is_none_is_refused(low, high, count, turns, named):
 
 
 def test_what_cannot_be_mapped_is_refused():
-    made = milled(**COARSE)
+    result = milled(**COARSE)
     empty = replace(
-        made.path,
+        result.path,
         **{
-            name: getattr(made.path, name)[:0]
-            for name in made.path.__dataclass_fields__
+            name: getattr(result.path, name)[:0]
+            for name in result.path.__dataclass_fields__
             if name != "findings"
         },
     )
     region = Region((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (1, 1, 1))
     with pytest.raises(SettingsError, match="no rows"):
-        setup_map(empty, made.machine, Setup(), region, posting(made))
+        setup_map(empty, result.machine, Setup(), region, posting(result))
     with pytest.raises(SettingsError, match="0 or more"):
-        setup_map(made.path, made.machine, Setup(), region, posting(made), -1.0)
+        setup_map(result.path, result.machine, Setup(), region, posting(result), -1.0)
 
 
 def test_a_machine_whose_rotary_limits_allow_no_way_is_refused():
-    made = milled(**COARSE)
-    beneath = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))  # from below
+    result = milled(**COARSE)
+    beneath = replace(result.path, axis=result.path.axis * (1.0, 1.0, -1.0))  # from below
     with pytest.raises(ReachError):
         setup_map(
             beneath,
             load_machine("mikron_ucp710"),
             Setup(),
             Region((0, 0, 0), (1, 1, 1), (1, 1, 1)),
-            posting(made),
+            posting(result),
         )
 
 
@@ -335,19 +340,19 @@ def test_a_part_is_turned_only_where_that_gains():
 
 
 def test_markers_stand_at_places_of_the_map_in_work_coordinates(chart):
-    made = setup_markers(chart)
-    assert all(isinstance(one, Marker) for one in made)
-    assert [one.kind for one in made[:2]] == ["setup-best", "setup-present"]
-    assert made[0].place == pytest.approx(chart.origin[chart.best] - np.array(chart.base.origin))
+    result = setup_markers(chart)
+    assert all(isinstance(one, Marker) for one in result)
+    assert [one.kind for one in result[:2]] == ["setup-best", "setup-present"]
+    assert result[0].place == pytest.approx(chart.origin[chart.best] - np.array(chart.base.origin))
     assert (
-        made[1].place == (0.0, 0.0, 0.0)
-        and made[1].label == f"work zero now: {chart.max_deviation[0]:.4f} mm"
+        result[1].place == (0.0, 0.0, 0.0)
+        and result[1].label == f"work zero now: {chart.max_deviation[0]:.4f} mm"
     )
     grid = chart.origin[(chart.kind == Kind.GRID) & (chart.turn == chart.turn[chart.best])] - np.array(
         chart.base.origin
     )
-    assert sorted(one.place for one in made[2:]) == sorted(map(tuple, grid.tolist()))
-    assert {one.kind for one in made[2:]} == {"setup", "setup-beyond-limits"}
+    assert sorted(one.place for one in result[2:]) == sorted(map(tuple, grid.tolist()))
+    assert {one.kind for one in result[2:]} == {"setup", "setup-beyond-limits"}
 
 
 def test_the_page_needs_nothing_else_and_the_pictures_have_units(chart):
@@ -361,9 +366,13 @@ def test_the_page_needs_nothing_else_and_the_pictures_have_units(chart):
 
 @pytest.mark.thorough
 def test_a_region_along_one_axis_is_drawn_as_a_curve():
-    made = milled(**COARSE)
+    result = milled(**COARSE)
     chart = setup_map(
-        made.path, made.machine, Setup(), Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (3, 1, 1)), posting(made)
+        result.path,
+        result.machine,
+        Setup(),
+        Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (3, 1, 1)),
+        posting(result),
     )
     (plot,), (again,) = heat_maps(chart), heat_maps(chart)
     assert plot.name == "curve-x" and b"<svg" in plot.svg and plot == again  # the same bytes again
@@ -386,14 +395,14 @@ def test_the_json_has_every_setup_in_degrees_and_no_nan(chart):
 
 
 def test_progress_runs_from_0_to_1_and_may_be_cancelled():
-    made, seen = milled(**COARSE), []
+    result, seen = milled(**COARSE), []
     region = Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (2, 1, 1))
     setup_map(
-        made.path,
-        made.machine,
+        result.path,
+        result.machine,
         Setup(),
         region,
-        posting(made),
+        posting(result),
         progress=lambda stage, fraction: seen.append(fraction),
     )
     assert seen == sorted(seen) and seen[0] == 0.0 and seen[-1] == 1.0 and len(seen) > 5
@@ -403,7 +412,7 @@ def test_progress_runs_from_0_to_1_and_may_be_cancelled():
             raise Cancelled(stage)
 
     with pytest.raises(Cancelled):
-        setup_map(made.path, made.machine, Setup(), region, posting(made), progress=stop)
+        setup_map(result.path, result.machine, Setup(), region, posting(result), progress=stop)
 
 
 def test_the_worst_block_is_found_behind_many_whose_bound_promises_more():
@@ -411,9 +420,9 @@ def test_the_worst_block_is_found_behind_many_whose_bound_promises_more():
     it."""
     machine = load_machine("trunnion_ac")
     kinematics = chain(machine, Setup(machine.origin))
-    made_up, alone, count = np.radians(7.0), np.radians(9.5), FIRST_BATCH + 40
+    result_up, alone, count = np.radians(7.0), np.radians(9.5), FIRST_BATCH + 40
     place = kinematics.point1 + (200.0, 0.0, 20.0)
-    turns = np.array([[0.0, 0.0], [made_up, 0.0]])
+    turns = np.array([[0.0, 0.0], [result_up, 0.0]])
     pair = np.column_stack([linear_words(kinematics, np.tile(place, (2, 1)), turns), np.degrees(turns)])
     still = np.column_stack(
         [

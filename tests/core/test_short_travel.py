@@ -14,14 +14,14 @@ from freecad_fiveaxis.core.motion.short_travel import say_remedy_beyond_limit
 
 @pytest.mark.parametrize(("low", "high"), [(-30.0, 75.0), (0.0, math.inf), (-20.0, 80.0)])
 def test_where_the_travel_is_long_enough_the_work_zero_is_moved(low, high):
-    told = say_remedy_beyond_limit("X", np.array([-20.0, 80.0]), low, high)
-    assert told == "move the work zero (--origin) or take a larger machine."
+    reported = say_remedy_beyond_limit("X", np.array([-20.0, 80.0]), low, high)
+    assert reported == "move the work zero (--origin) or take a larger machine."
 
 
-def test_where_it_is_not_that_is_said_and_by_how_much():
-    told = say_remedy_beyond_limit("X", np.array([769.995, -798.222]), -500.0, 500.0)
-    assert "needs 1568.22 mm of X, whose travel is 1000 mm, 568.217 mm too short" in told
-    assert "work zero" not in told
+def test_where_it_is_not_that_is_stated_and_by_how_much():
+    reported = say_remedy_beyond_limit("X", np.array([769.995, -798.222]), -500.0, 500.0)
+    assert "needs 1568.22 mm of X, whose travel is 1000 mm, 568.217 mm too short" in reported
+    assert "work zero" not in reported
 
 
 def test_a_path_says_which_of_both_it_is():

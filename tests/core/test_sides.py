@@ -38,7 +38,7 @@ def drafted():
     return prism([(0, 0), (30.0, 0), (29.9, 20), (0, 20)])
 
 
-def made(mesh, faces=None, **options):
+def make_result(mesh, faces=None, **options):
     given = {"machine": "trunnion_ac", "cutter": "ball:8", "gouge": "off", "stepover": 3, **options}
     return job.make(
         build_settings("mill", "part.stl", {k: v for k, v in given.items() if v}), mesh=mesh, faces=faces
@@ -53,10 +53,10 @@ def sides(result):
 @pytest.mark.parametrize(
     ("direction", "where", "area"), [(0, ("Y 0", "Y 35"), 1200.0), (90, ("X 0", "X 60"), 700.0)]
 )
-def test_the_sides_along_the_passes_are_told_with_their_area(part, direction, where, area):
-    told = sides(made(part(), direction=direction))
-    assert sorted(one.text.split(" is not")[0] for one in told) == [f"The side at {one}" for one in where]
-    for one in told:
+def test_the_sides_along_the_passes_are_reported_with_their_area(part, direction, where, area):
+    reported = sides(make_result(part(), direction=direction))
+    assert sorted(one.text.split(" is not")[0] for one in reported) == [f"The side at {one}" for one in where]
+    for one in reported:
         assert (
             one.severity is Severity.WARNING
             and one.unit == "mm2"
@@ -76,12 +76,12 @@ def test_the_sides_along_the_passes_are_told_with_their_area(part, direction, wh
 def test_who_follows_the_remedy_sees_the_side_cut(part, direction):
     """By another route: what the cutter leaves at the middle of the side, before and after."""
     mesh = part()
-    before = made(mesh, direction=direction, stepover=1, cutter="ball:4")
-    told = sides(before)
-    assert told
-    for one in told:
+    before = make_result(mesh, direction=direction, stepover=1, cutter="ball:4")
+    reported = sides(before)
+    assert reported
+    for one in reported:
         better = float(re.search(r"in direction ([\d.]+) deg", one.text).group(1))
-        after = made(mesh, direction=better, stepover=1, cutter="ball:4")
+        after = make_result(mesh, direction=better, stepover=1, cutter="ball:4")
         assert one.text.split(":")[0] not in [other.text.split(":")[0] for other in sides(after)]
         assert rest_at(before, one.place) > 0.5 > 0.3 > rest_at(after, one.place)
 
@@ -98,18 +98,18 @@ def rest_at(result, place):
 
 @some_in_core("part", [block, fine_block])
 def test_passes_that_cut_every_side_leave_nothing_to_tell(part):
-    assert not sides(made(part(), direction=45)) and not sides(made(part(), direction=20))
+    assert not sides(make_result(part(), direction=45)) and not sides(make_result(part(), direction=20))
 
 
 @some_in_core(("stepover", "caps"), [(0.5, 2), (3.9, 0)])
 def test_strips_between_passes_are_no_sides_but_caps_beyond_the_outermost_are(stepover, caps):
     ball = from_triangles(sphere(20.0, rows=80, columns=160))
     for direction in (0, 33):
-        told = sides(made(ball, stepover=stepover, direction=direction))
-        assert len(told) == caps, (
+        reported = sides(make_result(ball, stepover=stepover, direction=direction))
+        assert len(reported) == caps, (
             "told where the caps beyond the outermost passes are wider than passes may lie apart"
         )
-        for one in told:
+        for one in reported:
             facing = np.degrees(np.arctan2(one.place[1], one.place[0]))
             assert abs((facing - direction) % 180.0 - 90.0) < 5.0
             inset = 20.0 - 0.5 * (np.ceil(40.0 / stepover) - 1.0) * stepover
@@ -117,36 +117,36 @@ def test_strips_between_passes_are_no_sides_but_caps_beyond_the_outermost_are(st
                 "half a cap's area: its lower half looks down"
             )
             assert "direction" not in one.text and "a smaller stepover would cut it" in one.text.lower()
-    assert not sides(made(ball, stepover=None, scallop=0.02))
+    assert not sides(make_result(ball, stepover=None, scallop=0.02))
 
 
-def test_faces_that_nobody_wants_cut_are_not_told():
+def test_faces_that_nobody_wants_cut_are_not_reported():
     mesh = block()
     top = mesh.normal[:, 2] > 0.5
-    assert not sides(made(mesh, faces=top))
-    one_side = made(mesh, faces=top | (mesh.normal[:, 1] < -0.5))
+    assert not sides(make_result(mesh, faces=top))
+    one_side = make_result(mesh, faces=top | (mesh.normal[:, 1] < -0.5))
     assert [one.text.split(" is not")[0] for one in sides(one_side)] == ["The side at Y 0"]
 
 
 @pytest.mark.thorough
 def test_a_side_that_leans_can_be_cut_by_nearer_planes_too():
-    told = sides(made(drafted(), stepover=3))
-    leaning, plumb = (next(one for one in told if at in one.text) for at in ("Y 29.9", "Y 0"))
+    reported = sides(make_result(drafted(), stepover=3))
+    leaning, plumb = (next(one for one in reported if at in one.text) for at in ("Y 29.9", "Y 0"))
     assert "or a smaller stepover" in leaning.text and "smaller" not in plumb.text
-    assert ["Y 0" in one.text for one in sides(made(drafted(), stepover=0.04))] == [True]
+    assert ["Y 0" in one.text for one in sides(make_result(drafted(), stepover=0.04))] == [True]
 
 
 @pytest.mark.oldest
 @pytest.mark.thorough
-def test_where_a_side_makes_the_least_interval_bind_the_side_is_told_instead():
-    result = made(filleted(), stepover=None, scallop=0.01)
+def test_where_a_side_makes_the_least_interval_bind_the_side_is_reported_instead():
+    result = make_result(filleted(), stepover=None, scallop=0.01)
     codes = [one.code for one in result.findings]
     assert codes.count("side-not-machined") == 2 and "least-interval" not in codes
     assert all("Beside it up to 0.03" in one.text for one in sides(result))
 
 
 def test_the_underside_is_a_note_by_its_name():
-    (one,) = [one for one in made(block()).findings if one.code == "facets-looking-down"]
+    (one,) = [one for one in make_result(block()).findings if one.code == "facets-looking-down"]
     assert one.severity is Severity.NOTE and one.value == pytest.approx(2100.0) and one.place[2] == 0.0
     assert one.text.startswith(
         "The underside at Z 0 is not machined: 2100 mm2 (26.2 % of the part) face away from the spindle."
@@ -165,8 +165,8 @@ def test_where_every_direction_leaves_as_much_out_the_rest_is_named():
         np.stack([np.tile((0.0, 0.0, z), (36, 1)), a, b], axis=1)
         for z, a, b in ((20, high, high[after]), (0, low[after], low))
     ]
-    told = sides(made(from_triangles(np.concatenate([*walls, *lids])), stepover=1))
-    assert len(told) == 2
-    for one in told:
+    reported = sides(make_result(from_triangles(np.concatenate([*walls, *lids])), stepover=1))
+    assert len(reported) == 2
+    for one in reported:
         assert "in direction" in one.text and "smaller" not in one.text
         assert re.search(r"cut the [\d.]+ mm2 that lie along those passes with another path", one.text)

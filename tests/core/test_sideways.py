@@ -81,7 +81,7 @@ def test_a_program_gets_under_a_roof_from_the_side_and_stays_out_of_the_part(tmp
             "mill", str(tmp_path / "part.stl"), "--machine", "trunnion_ac", "--cutter", cutter, "--scallop", "0.3", "--spindle", "off",
             "--max-axis-angle", "30deg", "-o", str(tmp_path / "x.ngc"), "--report", str(report),
         ])  # fmt: skip
-        told = json.loads(report.read_text(encoding="utf-8"))
-        assert code in (0, 1) and not [one for one in told["findings"] if one["severity"] == "error"]
-        share[cutter] = told["summary"]["unfinished_share"]
+        record = json.loads(report.read_text(encoding="utf-8"))
+        assert code in (0, 1) and not [one for one in record["findings"] if one["severity"] == "error"]
+        share[cutter] = record["summary"]["unfinished_share"]
     assert share["lollipop:8:3"] < share["ball:8"] - 0.01, share

@@ -54,7 +54,7 @@ def test_table_2_of_so_et_al_is_singular():
         ((0.0, 178.0), (30.0, 178.0), True),  # the other pole
     ],
 )
-def test_blocks_made_by_hand(start, end, singular):
+def test_blocks_built_by_hand(start, end, singular):
     assert block(start, end)[3] is singular
 
 

@@ -135,7 +135,7 @@ SURFACES |= {f"sphere {radius}": sphere(radius) for radius in (18, 60, -18, -60)
 
 
 @some_in_core("name", SURFACES, kept=(0, 4, 9, 13, 16, 20, 21, 23))
-def test_the_scallop_left_is_nearly_what_was_asked_and_never_more(name):
+def test_the_scallop_left_is_nearly_what_was_requested_and_never_more(name):
     height = SURFACES[name]
     mesh = patch(height, size=0.5 if "plane" in name else 0.13)
     offsets, found = place_planes(mesh, TURN, RADIUS, scallop=SCALLOP, least=LEAST)
@@ -381,11 +381,11 @@ def test_settings_out_of_range_are_named_with_their_remedy(wrong, named):
 
 def test_progress_rises_to_one_and_can_stop_the_work(monkeypatch):
     monkeypatch.setattr("freecad_fiveaxis.core.passes.spacing.PERIOD", -1.0)
-    told = []
+    reported = []
     place_planes(
-        box(), 0.0, RADIUS, scallop=0.1, least=LEAST, progress=lambda stage, share: told.append(share)
+        box(), 0.0, RADIUS, scallop=0.1, least=LEAST, progress=lambda stage, share: reported.append(share)
     )
-    assert len(told) > 5 and told == sorted(told) and told[0] > 0 and told[-1] <= 1
+    assert len(reported) > 5 and reported == sorted(reported) and reported[0] > 0 and reported[-1] <= 1
 
     def stop(stage, share):
         raise Cancelled("stopped")
@@ -404,7 +404,7 @@ def test_a_scallop_that_needs_too_many_samples_is_refused_at_once(scallop):
         place_planes(mesh, TURN, RADIUS, scallop=scallop, least=0.05)
 
 
-def test_the_smallest_stepover_is_told_in_a_machinists_words():
+def test_the_smallest_stepover_is_reported_in_a_machinists_words():
     mesh = box(draft=0.5)
     _, found = place_planes(mesh, 0.0, 0.4, scallop=SCALLOP, least=0.1, keep=upward(mesh))
     assert (

@@ -60,7 +60,7 @@ def part(name):
     return mesh
 
 
-def laid(mesh, strategy, options=OPTIONS, keep=None, order="zigzag"):
+def plan_passes(mesh, strategy, options=OPTIONS, keep=None, order="zigzag"):
     """The passes with loops, and with spirals."""
     region = Region(mesh, np.ones(len(mesh.face), bool) if keep is None else keep, 3.0, STEP)
     found = PASS_STRATEGIES[strategy].field(region, options)
@@ -124,7 +124,7 @@ PARTS = [
 @pytest.mark.parametrize(("name", "strategy"), PARTS)
 def test_the_loops_of_a_region_become_one_pass_as_close_as_they_were(name, strategy):
     mesh = part(name)
-    loops, spiral = laid(mesh, strategy)
+    loops, spiral = plan_passes(mesh, strategy)
     assert len(lines(loops)) > 5 and all(map(is_closed, lines(loops)))
     assert len(lines(spiral)) == 1 and not is_closed(lines(spiral)[0])
     low, high = loops.point[:, 2].min(), loops.point[:, 2].max()
@@ -135,13 +135,13 @@ def test_the_loops_of_a_region_become_one_pass_as_close_as_they_were(name, strat
 
 def test_constant_scallop_from_one_border_is_one_spiral_and_from_two_are_two():
     for mesh, count in ((revolved([9.0, 4.0, 0.0], [-5.0, 0.0, 0.0]), 1), (tube(), 2)):
-        loops, spiral = laid(mesh, "scallop")
+        loops, spiral = plan_passes(mesh, "scallop")
         assert len(lines(loops)) > 6 and len(lines(spiral)) == count
 
 
 def test_a_pass_that_is_too_coarse_would_be_noticed():
     mesh = tube()
-    loops, spiral = laid(mesh, "zlevel")
+    loops, spiral = plan_passes(mesh, "zlevel")
     line = lines(spiral)[0]
     turn = np.linalg.norm(np.diff(line, axis=0), axis=1).cumsum() // (2 * math.pi * 10.0)
     gone = replace(
@@ -155,7 +155,7 @@ def test_a_pass_that_is_too_coarse_would_be_noticed():
 @pytest.mark.parametrize(("name", "strategy"), PARTS)
 def test_points_lie_in_the_facets_that_they_name_and_on_their_coedges(name, strategy):
     mesh = part(name)
-    _, contact = laid(mesh, strategy)
+    _, contact = plan_passes(mesh, strategy)
     corner = mesh.vertex[mesh.face[contact.face]]
     np.testing.assert_array_equal(contact.normal, mesh.normal[contact.face])
     assert np.abs(((contact.point - corner[:, 0]) * contact.normal).sum(axis=1)).max() < 1e-9
@@ -174,7 +174,7 @@ def test_points_lie_in_the_facets_that_they_name_and_on_their_coedges(name, stra
 
 
 def test_on_a_cylinder_it_is_a_helix_between_two_circles():
-    loops, spiral = laid(tube(), "zlevel", order="one_way")
+    loops, spiral = plan_passes(tube(), "zlevel", order="one_way")
     point = spiral.point
     angle = np.unwrap(np.arctan2(point[:, 1], point[:, 0])) / (2 * math.pi)
     turn, count = angle - angle[0], len(lines(loops))
@@ -188,7 +188,7 @@ def test_on_a_cylinder_it_is_a_helix_between_two_circles():
 
 
 def test_passes_begin_in_the_sense_of_the_loops_with_what_is_higher_to_their_left():
-    _, spiral = laid(tube(), "zlevel", order="one_way")
+    _, spiral = plan_passes(tube(), "zlevel", order="one_way")
     way = spiral.point[1::2] - spiral.point[::2]
     left = np.cross(spiral.normal[::2], way)
     assert (left[:, 2] > 0.0).all()
@@ -225,7 +225,7 @@ def test_level_planes_through_an_upright_ring_make_four_spirals():
     row = np.stack([5.0 * np.sin(tube), radius * np.cos(turn), radius * np.sin(turn)], axis=-1)
     a, b, c, d = row, np.roll(row, -1, 0), np.roll(row, (-1, -1), (0, 1)), np.roll(row, -1, 1)
     corner = np.concatenate([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)]).reshape(-1, 3, 3)
-    loops, spiral = laid(from_triangles(corner), "zlevel")
+    loops, spiral = plan_passes(from_triangles(corner), "zlevel")
     assert len(lines(loops)) > 40 and all(map(is_closed, lines(loops)))
     assert len(lines(spiral)) == 4
     assert (
@@ -269,19 +269,19 @@ def test_a_spiral_over_uneven_loops_would_be_too_coarse(monkeypatch):
 
 def test_two_loops_stay_loops():
     mesh = revolved([10.0, 10.0], [0.0, 2.0])
-    loops, spiral = laid(mesh, "zlevel")
+    loops, spiral = plan_passes(mesh, "zlevel")
     assert len(lines(loops)) == 2 and same(loops, spiral)
 
 
 def test_turns_that_do_not_meet_leave_the_loops(monkeypatch):
-    made = spirals._all_turns
+    make_result = spirals._all_turns
 
     def torn(rings):
-        turns = made(rings)
+        turns = make_result(rings)
         return turns._replace(turn=np.where(turns.turn == 3, 2, turns.turn))
 
     monkeypatch.setattr(spirals, "_all_turns", torn)
-    loops, spiral = laid(tube(), "zlevel")
+    loops, spiral = plan_passes(tube(), "zlevel")
     assert same(loops, spiral)
 
 
@@ -289,13 +289,13 @@ def test_turns_that_do_not_meet_leave_the_loops(monkeypatch):
 def test_open_passes_stay_as_they_are(strategy):
     mesh = tube()
     keep = mesh.vertex[mesh.face, 0].max(axis=1) < 9.0 if strategy != "planes" else None
-    loops, spiral = laid(mesh, strategy, keep=keep)
+    loops, spiral = plan_passes(mesh, strategy, keep=keep)
     assert len(lines(loops)) > 5 and same(loops, spiral)
 
 
 def test_loops_beside_open_passes_become_a_spiral_and_the_others_stay():
     mesh = bumps(40, lambda x, y: 8 * np.exp(-((x - 20) ** 2 + (y - 20) ** 2) / 120))
-    loops, spiral = laid(mesh, "zlevel", PassOptions(stepover=0.5), order="one_way")
+    loops, spiral = plan_passes(mesh, "zlevel", PassOptions(stepover=0.5), order="one_way")
     opened = [line for line in lines(loops) if not is_closed(line)]
     closed = len(lines(loops)) - len(opened)
     kept = [
@@ -306,7 +306,7 @@ def test_loops_beside_open_passes_become_a_spiral_and_the_others_stay():
 
 
 def test_a_ball_is_cut_from_its_lowest_place_in_one_spiral():
-    _, spiral = laid(from_triangles(sphere(8.0, 24, 40)), "scallop")
+    _, spiral = plan_passes(from_triangles(sphere(8.0, 24, 40)), "scallop")
     assert len(lines(spiral)) == 1
 
 
@@ -320,7 +320,7 @@ def boss(tmp_path_factory):
     return file
 
 
-def made(file, **more):
+def make_result(file, **more):
     options = {
         "machine": "trunnion_ac",
         "controller": "linuxcnc",
@@ -342,7 +342,7 @@ def runs(path, motion):
     ids=["bare", "with what a user gets"],
 )  # fmt: skip
 def test_a_program_has_fewer_links_and_no_more_rapids(boss, more):
-    loops, spiral = made(boss, **more), made(boss, spiral="on", **more)
+    loops, spiral = make_result(boss, **more), make_result(boss, spiral="on", **more)
     assert runs(spiral.path, Motion.LINK) <= 0.5 * runs(loops.path, Motion.LINK)
     assert runs(spiral.path, Motion.RAPID) <= runs(loops.path, Motion.RAPID)
 
@@ -377,6 +377,6 @@ def test_another_word_is_refused_and_nothing_is_written(boss, tmp_path, capsys):
     with pytest.raises(SystemExit) as ended:
         cli.main(["mill", str(boss), "--machine", "trunnion_ac", "--spiral", "maybe", "-o", str(out)])
     assert ended.value.code == 2
-    said = capsys.readouterr().err.splitlines()[-1]
-    assert "--spiral" in said and "'maybe'" in said and "on" in said and "off" in said
+    message = capsys.readouterr().err.splitlines()[-1]
+    assert "--spiral" in message and "'maybe'" in message and "on" in message and "off" in message
     assert not out.exists()

@@ -64,8 +64,8 @@ class Backwards(Executor):
         self.given.append((Future(), work, given, named))
         future = self.given[-1][0]
         if len(self.given) == self.count:
-            for made, work, given, named in self.given[::-1]:
-                made.set_result(work(*given, **named))
+            for result, work, given, named in self.given[::-1]:
+                result.set_result(work(*given, **named))
         return future
 
 
@@ -81,13 +81,18 @@ def executor(request):
 
 
 def test_results_come_in_the_order_of_the_tasks(executor):
-    told = []
+    reported = []
     found = spread(
-        tell_place, COMMON, TASKS, executor, lambda stage, fraction: told.append((stage, fraction)), "stage"
+        tell_place,
+        COMMON,
+        TASKS,
+        executor,
+        lambda stage, fraction: reported.append((stage, fraction)),
+        "stage",
     )
     assert [(common, task) for common, task, *_ in found] == [(COMMON, task) for task in TASKS]
-    assert {stage for stage, _ in told} == {"stage"} and told == sorted(told)
-    assert told[0][1] == 0.0 and told[-1][1] == 1.0
+    assert {stage for stage, _ in reported} == {"stage"} and reported == sorted(reported)
+    assert reported[0][1] == 0.0 and reported[-1][1] == 1.0
 
 
 def test_processes_are_others_and_get_what_is_common_once(processes):
@@ -102,11 +107,17 @@ def count_kept(common, task, progress):
 
 
 def test_the_share_that_is_done_goes_by_weight():
-    told = []
+    reported = []
     spread(
-        tell_place, COMMON, (0, 1), None, lambda stage, fraction: told.append(fraction), "stage", (3.0, 1.0)
+        tell_place,
+        COMMON,
+        (0, 1),
+        None,
+        lambda stage, fraction: reported.append(fraction),
+        "stage",
+        (3.0, 1.0),
     )
-    assert told == [0.0, 0.75, 1.0]
+    assert reported == [0.0, 0.75, 1.0]
 
 
 def test_no_task_is_none():
@@ -231,12 +242,12 @@ def test_an_executor_that_gives_back_something_else_is_noticed(wrong):
 
 
 def test_what_a_task_raises_is_raised(executor):
-    with pytest.raises(ReachError, match="task 3") as told:
+    with pytest.raises(ReachError, match="task 3") as reported:
         spread(refuse, COMMON, TASKS, executor, silent, "stage")
-    assert told.value.value == 3
+    assert reported.value.value == 3
 
 
-def test_a_process_that_dies_is_told_in_one_line():
+def test_a_process_that_dies_is_reported_in_one_line():
     with pytest.raises(SettingsError, match="--workers"), crew.at_work(crew.process_crew(1)) as pool:
         spread(die, COMMON, TASKS, pool, silent, "stage")
 
@@ -254,8 +265,8 @@ def test_a_stop_is_heard_by_what_runs_and_by_what_waits(kind, tmp_path):
         with pytest.raises(Cancelled, match="enough"), ThreadPoolExecutor(1) as pool:
             spread(work_on, mark, TASKS, pool, stop, "stage")
     else:
-        made = crew.thread_crew(1) if kind == "threads" else crew.process_crew(1)
-        with pytest.raises(Cancelled, match="enough"), crew.at_work(made) as pool:
+        result = crew.thread_crew(1) if kind == "threads" else crew.process_crew(1)
+        with pytest.raises(Cancelled, match="enough"), crew.at_work(result) as pool:
             spread(work_on, mark, TASKS, pool, stop, "stage")
     assert os.listdir(tmp_path) == ["begun0"]
     assert threading.active_count() <= before[0] and set(multiprocessing.active_children()) <= before[1]

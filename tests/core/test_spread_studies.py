@@ -88,5 +88,5 @@ def test_the_command_line_spreads_it(name, roof, tmp_path):
 @pytest.mark.parametrize("workers", ["0", "many", "-3"])
 def test_no_count_of_workers_is_one_line_and_no_work(name, workers, roof, capsys):
     assert cli.main([*words_of(name, roof), f"--workers={workers}"]) == cli.UNUSABLE
-    told = capsys.readouterr().err
-    assert told.count("\n") == 1 and "--workers" in told and "whole number" in told
+    reported = capsys.readouterr().err
+    assert reported.count("\n") == 1 and "--workers" in reported and "whole number" in reported

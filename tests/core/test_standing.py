@@ -45,16 +45,16 @@ def lean(mesh, machine=TRUNNION, **options):
     return math.degrees(largest_axis_angle(settings(**options), machine, mesh))
 
 
-def make(asked, mesh, faces=None):
+def make(wanted, mesh, faces=None):
     """The program, with axes from fewer places of the part than the product looks at: on what it stands does
     not depend on them."""
     with pytest.MonkeyPatch.context() as patch:
         take_nodes(patch, NODES)
-        return job.make(asked, mesh=mesh, faces=faces)
+        return job.make(wanted, mesh=mesh, faces=faces)
 
 
 @cache
-def made(shape, **options):
+def make_result(shape, **options):
     """The same, made once for all tests that ask for it."""
     return make(settings(gouge="off", **options), shape())
 
@@ -98,43 +98,43 @@ def test_axes_lean_as_far_as_the_machine_goes_only_over_a_table_that_is_known():
 
 
 @pytest.mark.thorough
-def test_undersides_are_cut_where_nothing_is_asked_and_a_standing_face_where_it_is():
-    hanging = made(mushroom)
+def test_undersides_are_cut_where_nothing_is_requested_and_a_standing_face_where_it_is():
+    hanging = make_result(mushroom)
     assert (hanging.axis[:, 2] < -0.05).any()
-    level = made(mushroom, max_axis_angle=90)
+    level = make_result(mushroom, max_axis_angle=90)
     assert (level.axis[:, 2] > -1e-3).all()
 
     mesh = block()
-    codes = [one.code for one in made(block).findings]
+    codes = [one.code for one in make_result(block).findings]
     assert codes.count("facets-looking-down") == 1 and "facets-without-free-axis" not in codes
     under = mesh.normal[:, 2] < -0.5
-    assert not made(block).keep[under].any() and made(block).keep[~under].all()
-    assert made(block, max_axis_angle=180).keep[under].all()
+    assert not make_result(block).keep[under].any() and make_result(block).keep[~under].all()
+    assert make_result(block, max_axis_angle=180).keep[under].all()
     chosen = make(settings(gouge="off"), mesh, under)
     assert (chosen.keep == under).all()
 
 
 def test_a_block_that_stands_on_the_table_is_cut_from_above():
     """Its face is 100 mm below the machine's origin: there the tool has no room below level."""
-    found = made(block, origin=(0.0, 0.0, -100.0))
+    found = make_result(block, origin=(0.0, 0.0, -100.0))
     assert "retract-below-part" not in [one.code for one in found.findings]
     assert (found.axis[:, 2] > -1e-3).all()
 
 
-def test_a_part_that_reaches_below_the_table_is_told_of_where_that_keeps_axes_level():
+def test_a_part_that_reaches_below_the_table_is_reported_of_where_that_keeps_axes_level():
     mesh, low = block(), {"origin": (0.0, 0.0, -150.0)}
     (one,) = report_part_in_table(settings(**low), TRUNNION, mesh)
     assert "50 mm below the table of trunnion_ac" in str(one.text) and "--origin" in str(one.text)
-    assert "part-in-table" in [finding.code for finding in made(block, **low).findings]
+    assert "part-in-table" in [finding.code for finding in make_result(block, **low).findings]
     for options in ({}, {**low, "max_axis_angle": 90}, {**low, "tool_axis": "facet_mean"}):
         assert report_part_in_table(settings(**options), TRUNNION, mesh) == ()
 
 
-def test_a_program_made_again_from_what_its_report_says_is_the_same():
+def test_a_program_built_again_from_what_its_report_says_is_the_same():
     """What was not given is not given then either: a face on which the part stands stays out."""
-    given = made(block)
+    given = make_result(block)
     again = job.figures(job.prove(given)).inputs
     again = {name: value for name, value in again.items() if name not in ("task", "source")}
     assert again["max_axis_angle"] is None if "max_axis_angle" in again else True
     assert make(build_settings("mill", "part", again), block()).keep.tolist() == given.keep.tolist()
-    assert made(block, max_axis_angle=180).keep.tolist() != given.keep.tolist()
+    assert make_result(block, max_axis_angle=180).keep.tolist() != given.keep.tolist()

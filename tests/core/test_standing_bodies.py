@@ -100,8 +100,8 @@ def test_without_the_tools_length_the_spindle_is_not_drawn_and_the_table_is():
         moving,
         bodies=tuple(MachineBody(one, one, "sphere", ((0.0, 0.0, 0.0),), (5.0,)) for one in ("base", "A")),
     )
-    stood = stand_bodies(moving, setup, chain(moving, setup), None)
-    assert [one.name for one in stood] == ["A"], (
+    position = stand_bodies(moving, setup, chain(moving, setup), None)
+    assert [one.name for one in position] == ["A"], (
         "how low the base is under the tip depends on the tool's length"
     )
     plain = load_machine("trunnion_ac")

@@ -100,8 +100,8 @@ def posted(folder, **changes):
     """The result of a post on the machine with these changes."""
     save_machine(replace(load_machine(MACHINE), **changes), folder / "m.fcm", overwrite=True)
     given = {"machine": str(folder / "m.fcm"), "tool_length": LENGTH, "controller": "linuxcnc"}
-    asked = given | {"spindle": 8000.0, "cutter": f"ball:{2 * RADIUS:g}"}
-    return job.prove(job.make(build_settings("post", cl_file(folder), asked)))
+    wanted = given | {"spindle": 8000.0, "cutter": f"ball:{2 * RADIUS:g}"}
+    return job.prove(job.make(build_settings("post", cl_file(folder), wanted)))
 
 
 def ends_of(nc):
@@ -172,27 +172,27 @@ def begin(nc, start, plane):
 
 
 def test_from_unknown_places_nothing_is_hit_and_the_plane_of_the_part_alone_would_hit(tmp_path):
-    made = posted(tmp_path)
-    plane = made.draft.plane.z
-    assert plane == 93.0 and made.draft.plane.above.z == 93.0  # the bridge at A 120, 88, and the clearance
-    assert made.draft.nc.count(b"\nG0 Z93.0000\n") == 2
-    assert [begin(made.draft.nc, start, plane) for start in STARTS] == [False] * len(STARTS)
-    assert not drive(made.draft.program.words[-1], ends_of(made.draft.nc)[1])
+    result = posted(tmp_path)
+    plane = result.draft.plane.z
+    assert plane == 93.0 and result.draft.plane.above.z == 93.0  # the bridge at A 120, 88, and the clearance
+    assert result.draft.nc.count(b"\nG0 Z93.0000\n") == 2
+    assert [begin(result.draft.nc, start, plane) for start in STARTS] == [False] * len(STARTS)
+    assert not drive(result.draft.program.words[-1], ends_of(result.draft.nc)[1])
     bare = posted(tmp_path, bodies=())
     old = bare.draft.plane.z
     assert old < 40.0 and bare.draft.plane.above is None
     assert sum(begin(bare.draft.nc, start, old) for start in STARTS) >= 4
-    moved = [line for line in made.draft.nc.splitlines() if line != b"G0 Z93.0000"]
+    moved = [line for line in result.draft.nc.splitlines() if line != b"G0 Z93.0000"]
     same = [line for line in bare.draft.nc.splitlines() if line != f"G0 Z{old:.4f}".encode()]
     assert moved[1:] == same[1:], "only the plane is another one"
 
 
-def scope_of(made):
-    figures = job.figures(made)
+def scope_of(result):
+    figures = job.figures(result)
     return scope(figures, summary(figures))
 
 
-def test_what_is_proven_of_start_and_end_is_said_and_what_is_not_known(tmp_path):
+def test_what_is_proven_of_start_and_end_is_stated_and_what_is_not_known(tmp_path):
     found = scope_of(posted(tmp_path))
     assert any(one.startswith("from the first block to the last tool and spindle") for one in found.proven)
     assert any(one.startswith("where the program begins and ends, at Z 93,") for one in found.proven)
@@ -205,8 +205,8 @@ def test_what_is_proven_of_start_and_end_is_said_and_what_is_not_known(tmp_path)
 
 @pytest.mark.parametrize("changes", [{}, {"bodies": ()}], ids=["bodies", "bare"])
 def test_an_audit_says_that_the_lines_before_the_first_block_were_not_looked_at(changes, tmp_path):
-    made = posted(tmp_path, **changes)
-    (tmp_path / "a.ngc").write_bytes(made.draft.nc)
+    result = posted(tmp_path, **changes)
+    (tmp_path / "a.ngc").write_bytes(result.draft.nc)
     given = {"machine": str(tmp_path / "m.fcm"), "tool_length": LENGTH, "cutter": f"ball:{2 * RADIUS:g}"}
     audited = job.prove(job.make(build_settings("audit", str(tmp_path / "a.ngc"), given)))
     found = scope_of(audited)
@@ -215,30 +215,30 @@ def test_an_audit_says_that_the_lines_before_the_first_block_were_not_looked_at(
 
 
 def test_where_z_ends_below_the_bodies_that_is_a_warning_and_not_called_proven(tmp_path):
-    made = posted(tmp_path, axes=limited(MACHINE, "Z", -500.0, 150.0))
-    (one,) = [one for one in made.findings if one.code == "start-below-bodies"]
+    result = posted(tmp_path, axes=limited(MACHINE, "Z", -500.0, 150.0))
+    (one,) = [one for one in result.findings if one.code == "start-below-bodies"]
     assert one.severity is Severity.WARNING and one.value == pytest.approx(93.0, abs=0.1)
-    assert one.limit == 50.0 and made.draft.nc.count(b"\nG0 Z50.0000\n") == 2
+    assert one.limit == 50.0 and result.draft.nc.count(b"\nG0 Z50.0000\n") == 2
     assert "bridge" in one.text and "bed" not in one.text and "shorter tool" in one.text
-    found = scope_of(made)
+    found = scope_of(result)
     assert not any("begins and ends" in one for one in found.proven)
     assert any("how the axes come to the first block" in one for one in found.unknown)
 
 
 @pytest.mark.parametrize(("z", "clear"), [(193.1, True), (192.5, False)])
 def test_a_machine_coordinate_is_held_against_the_bodies_too(z, clear, tmp_path):
-    made = posted(tmp_path, safe_start=SafeStart("machine", z))
-    assert ("start-below-bodies" in [one.code for one in made.findings]) == (not clear)
-    assert (made.draft.plane.above is not None) == clear
+    result = posted(tmp_path, safe_start=SafeStart("machine", z))
+    assert ("start-below-bodies" in [one.code for one in result.findings]) == (not clear)
+    assert (result.draft.plane.above is not None) == clear
     if clear:
-        assert made.draft.plane.above.z == pytest.approx(z - LENGTH)
+        assert result.draft.plane.above.z == pytest.approx(z - LENGTH)
 
 
 def test_a_wall_that_z_cannot_pass_raises_nothing_and_is_named(tmp_path):
     wall = MachineBody("wall", "base", "box", ((-400.0, 400.0, -400.0), (400.0, 480.0, 700.0)))
-    made = posted(tmp_path, bodies=(*load_machine(MACHINE).bodies, wall))
-    assert made.draft.plane.z == 93.0 and made.draft.plane.above.but_for == ("wall",)
-    assert any("meet wall on the way" in one for one in scope_of(made).unknown)
+    result = posted(tmp_path, bodies=(*load_machine(MACHINE).bodies, wall))
+    assert result.draft.plane.z == 93.0 and result.draft.plane.above.but_for == ("wall",)
+    assert any("meet wall on the way" in one for one in scope_of(result).unknown)
 
 
 def test_a_roof_through_which_z_comes_down_is_an_error_at_the_first_block(tmp_path):
@@ -246,8 +246,10 @@ def test_a_roof_through_which_z_comes_down_is_an_error_at_the_first_block(tmp_pa
     first = posted(tmp_path).draft.program.words[0]
     x, y, z = (float(one) for one in first[:3])
     roof = ((x - 20.0, y - 20.0, z + top + 5.0), (x + 20.0, y + 20.0, z + top + 15.0))
-    made = posted(tmp_path, bodies=(*load_machine(MACHINE).bodies, MachineBody("roof", "base", "box", roof)))
-    hits = [one for one in made.findings if one.code == "machine-collision"]
+    result = posted(
+        tmp_path, bodies=(*load_machine(MACHINE).bodies, MachineBody("roof", "base", "box", roof))
+    )
+    hits = [one for one in result.findings if one.code == "machine-collision"]
     assert hits and all("Where Z comes down to the first block" in one.text for one in hits)
-    assert {one.block for one in hits} <= {0, len(made.draft.program.words) - 1} and "roof" in hits[0].text
+    assert {one.block for one in hits} <= {0, len(result.draft.program.words) - 1} and "roof" in hits[0].text
     assert all(one.severity is Severity.ERROR for one in hits)

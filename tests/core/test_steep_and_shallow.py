@@ -59,7 +59,7 @@ def region_of(mesh, keep=None):
     return Region(mesh, np.ones(len(mesh.face), bool) if keep is None else keep, BALL, STEP)
 
 
-def laid(
+def plan_passes(
     mesh, degrees, strategy="scallop", order="zigzag", spiral=False, overlap=1.0, keep=None, options=OPTIONS
 ):
     division = Division(
@@ -107,7 +107,7 @@ def test_a_hemisphere_is_divided_on_a_circle_and_the_passes_overlap_by_a_stepove
     ball = steep[steep[:, 2] > 1e-9]
     wide = np.hypot(ball[:, 0], ball[:, 1])
     assert wide.min() == pytest.approx(radius * math.sin(bound), abs=0.02 * radius * math.cos(bound))
-    contact, _ = laid(mesh, degrees, "planes")
+    contact, _ = plan_passes(mesh, degrees, "planes")
     polar = [
         math.atan2(np.hypot(*line[0, :2]), line[0, 2])
         for line in lines(contact)
@@ -141,7 +141,7 @@ def test_every_strategy_goes_a_stepover_beyond_the_line():
     keep = np.abs(mesh.normal[:, 0]) + (mesh.normal[:, 2] < -0.5) < 0.5
     options = PassOptions(direction=math.pi / 2, stepover=2.0)
     for degrees in (30.0, 60.0):
-        contact, _ = laid(mesh, degrees, "planes", keep=keep, options=options)
+        contact, _ = plan_passes(mesh, degrees, "planes", keep=keep, options=options)
         across = [line for line in lines(contact) if not is_level(line)]
         ends = np.array(
             [np.degrees(np.arctan2(np.abs(line[[0, -1], 1]), line[[0, -1], 2])) for line in across]
@@ -187,13 +187,13 @@ def test_facets_at_the_bound_belong_to_the_shallow_side_alone():
 def test_a_part_on_one_side_has_the_very_passes_of_the_one_strategy():
     for slope in (30, 50):
         mesh, strategy = cone(slope), "zlevel" if slope > 40 else "scallop"
-        assert same(laid(mesh, 40)[0], alone(mesh, strategy)[0])
+        assert same(plan_passes(mesh, 40)[0], alone(mesh, strategy)[0])
 
 
 def test_what_is_not_cut_counts_for_neither_side():
     mesh = hemisphere()
     keep = mesh.normal[:, 2] < math.cos(math.radians(60))
-    assert same(laid(mesh, 40, keep=keep)[0], alone(mesh, "zlevel", keep)[0])
+    assert same(plan_passes(mesh, 40, keep=keep)[0], alone(mesh, "zlevel", keep)[0])
 
 
 # ----------------------------------------------------------------------------------------------- what is left
@@ -225,7 +225,7 @@ def cut_of(name):
 )
 def test_every_place_is_as_near_to_a_pass_as_with_the_worse_of_both_alone(name, strategy):
     mesh, keep = cut_of(name)
-    contact, _ = laid(mesh, 35, strategy, keep=keep)
+    contact, _ = plan_passes(mesh, 35, strategy, keep=keep)
     point, slope = spread(mesh, keep)
     own = [off_alone(name, one) for one in ("zlevel", strategy)]
     worst = max(own[0][slope > math.radians(37)].max(), own[1][slope < math.radians(33)].max())
@@ -260,7 +260,7 @@ def test_a_removed_pass_would_be_noticed_but_for_the_overlap():
     polar = np.arctan2(np.hypot(*point[:, :2].T), point[:, 2])
     beside = point[(np.abs(15.0 * (polar - math.radians(50))) < 1.5 * STEP) & (point[:, 2] > 0.5)]
     for overlap in (1.0, 0.0):
-        contact, _ = laid(mesh, 50, "planes", keep=keep, overlap=overlap)
+        contact, _ = plan_passes(mesh, 50, "planes", keep=keep, overlap=overlap)
         high = max(line[0, 2] for line in lines(contact) if is_level(line) and line[0, 2] > 1)
         rest = [dense(line) for line in lines(contact) if line[0, 2] != high]
         assert len(rest) == len(lines(contact)) - 1 and off(contact, beside).max() <= 0.55 * STEP
@@ -268,13 +268,13 @@ def test_a_removed_pass_would_be_noticed_but_for_the_overlap():
         assert left <= 0.6 if overlap else left > 0.7
 
 
-def test_nothing_is_told_of_what_the_other_strategy_cuts():
+def test_nothing_is_reported_of_what_the_other_strategy_cuts():
     """Pieces of facets between two passes are no facets without a pass, and the rim of a strip is no steep
     wall."""
     mesh, keep = cut_of("hemisphere")
     codes = [one.code for one in alone(mesh, "zlevel", keep)[1]]
     assert "side-not-machined" in codes  # the plate, of which nothing is told where another strategy cuts it
-    assert laid(mesh, 40, keep=keep)[1] == ()
+    assert plan_passes(mesh, 40, keep=keep)[1] == ()
 
 
 @pytest.mark.slow
@@ -285,10 +285,10 @@ def test_at_the_rim_of_a_strip_no_planes_are_too_far_apart(monkeypatch):
     found = Region(mesh, keep, BALL, STEP)
     assert "least-interval" not in [one.code for one in lay_by_slope(found, options, of_scallop(40))[1]]
     monkeypatch.setattr(steep_and_shallow, "_at_rim", lambda *_: False)
-    told = next(
+    reported = next(
         one for one in lay_by_slope(found, options, of_scallop(40))[1] if one.code == "least-interval"
     )
-    assert told.value > BALL
+    assert reported.value > BALL
 
 
 # ------------------------------------------------------------------------------------ order, length, contract
@@ -296,7 +296,7 @@ def test_at_the_rim_of_a_strip_no_planes_are_too_far_apart(monkeypatch):
 
 def test_the_steep_part_comes_first_from_the_top_down():
     mesh = hemisphere()
-    contact, _ = laid(mesh, 45, "planes", order="one_way")
+    contact, _ = plan_passes(mesh, 45, "planes", order="one_way")
     level = np.array(
         [
             is_level(line) and 1e-6 < line[0, 2] < 15 * math.cos(math.radians(44)) + STEP
@@ -317,7 +317,7 @@ def test_the_steep_part_comes_first_from_the_top_down():
 def test_a_dome_with_a_top_nearly_flat_takes_less_than_level_planes_alone():
     """Its top leans by 1 to 8 deg: level planes stand as near as its flattest place asks for, all round."""
     mesh = from_triangles(height_field(48, lambda x, y: dome_height(x - 24, y - 24), 1.0))
-    both, level = laid(mesh, 20)[0], alone(mesh, "zlevel")[0]
+    both, level = plan_passes(mesh, 20)[0], alone(mesh, "zlevel")[0]
     assert length(both) < 0.9 * length(level)
 
 
@@ -329,7 +329,7 @@ def dome_height(x, y):
 @pytest.mark.slow
 def test_turned_shifted_and_scaled_the_passes_go_along():
     mesh = hilly()
-    plain, _ = laid(mesh, 35)
+    plain, _ = plan_passes(mesh, 35)
     turn = math.radians(37)
     matrix = np.array([[math.cos(turn), -math.sin(turn), 0], [math.sin(turn), math.cos(turn), 0], [0, 0, 1]])
     moved = from_faces(mesh.vertex @ matrix.T + [100, -50, 7], mesh.face)
@@ -355,7 +355,7 @@ def assert_alike(one, two):
 
 def test_passes_lie_on_the_part_in_the_facets_and_on_the_coedges_that_they_name():
     mesh, keep = cut_of("hills")
-    contact, _ = laid(mesh, 35, keep=keep)
+    contact, _ = plan_passes(mesh, 35, keep=keep)
     foot = ((contact.point - mesh.vertex[mesh.face[contact.face, 0]]) * mesh.normal[contact.face]).sum(axis=1)
     assert np.abs(foot).max() < 1e-9 and (contact.normal == mesh.normal[contact.face]).all()
     on = contact.coedge >= 0
@@ -370,7 +370,7 @@ def test_passes_lie_on_the_part_in_the_facets_and_on_the_coedges_that_they_name(
 
 def test_no_pass_that_lies_in_the_strip_is_a_stub():
     mesh, keep = cut_of("hills")
-    contact, _ = laid(mesh, 35, "planes", keep=keep)
+    contact, _ = plan_passes(mesh, 35, "planes", keep=keep)
     slopes = divide_by_slope(mesh, math.radians(35), STEP)
     middle = slopes.copy.mesh.vertex[slopes.copy.mesh.face].mean(axis=1)
     for line in lines(contact):
@@ -387,7 +387,7 @@ def test_both_parts_become_spirals_where_they_can(strategy):
         if strategy == "scallop"
         else from_faces(mesh.vertex, mesh.face[mesh.vertex[mesh.face][:, :, 2].max(axis=1) < 14.5])
     )
-    loops, spiral = laid(mesh, 45, strategy)[0], laid(mesh, 45, strategy, spiral=True)[0]
+    loops, spiral = plan_passes(mesh, 45, strategy)[0], plan_passes(mesh, 45, strategy, spiral=True)[0]
     assert len(lines(loops)) > 15 and len(lines(spiral)) <= 3  # two, and a loop round the top
     point = samples(mesh)
     low = (point[:, 2] > loops.point[:, 2].min()) & (point[:, 2] < loops.point[:, 2].max())
@@ -421,7 +421,7 @@ def files(tmp_path_factory):
     return folder
 
 
-def made(files, **more):
+def make_result(files, **more):
     return job.make(
         build_settings(
             "mill", str(files / "box.stl"), {**JOB, "passes": "scallop", "steep_shallow": 40, **more}
@@ -450,9 +450,9 @@ def test_the_same_bytes_as_the_one_strategy_where_the_part_lies_on_one_side(file
 
 @pytest.mark.slow
 def test_with_faces_to_machine_and_to_avoid(files):
-    found = made(files, faces=str(files / "sides.stl"))
+    found = make_result(files, faces=str(files / "sides.stl"))
     assert slope_at(found).min() > 0.1 and slope_at(found).max() == pytest.approx(90)
-    found = made(files, avoid=str(files / "sides.stl"))
+    found = make_result(files, avoid=str(files / "sides.stl"))
     place = found.offset.point
     assert found.keep.any() and len(place) and not ((np.abs(place[:, 0]) < 19.9) & (place[:, 2] < 11.9)).any()
     assert (place[:, 2] > 11.9).any() and (place[:, 2] < 5).any()  # the top and the ends
@@ -461,7 +461,7 @@ def test_with_faces_to_machine_and_to_avoid(files):
 def test_with_a_boundary(files, tmp_path):
     curve = tmp_path / "b.csv"
     curve.write_text("-10,-25,0\n10,-25,0\n10,25,0\n-10,25,0\n-10,-25,0\n")
-    found = made(files, boundary=str(curve), boundary_axis="0,0,1", scallop=4 * SCALLOP, **UNCURED)
+    found = make_result(files, boundary=str(curve), boundary_axis="0,0,1", scallop=4 * SCALLOP, **UNCURED)
     assert np.abs(found.offset.point[:, 0]).max() == pytest.approx(10, abs=1e-6)
     assert {True, False} == set(np.unique(found.offset.point[:, 2] < 6).tolist())
 
@@ -495,8 +495,8 @@ BAD = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("words", "said"), BAD, ids=range(len(BAD)))
-def test_what_is_no_slope_is_refused_in_one_line(files, tmp_path, capsys, words, said):
+@pytest.mark.parametrize(("words", "message"), BAD, ids=range(len(BAD)))
+def test_what_is_no_slope_is_refused_in_one_line(files, tmp_path, capsys, words, message):
     out = tmp_path / "out.ngc"
     given = [
         "mill",
@@ -515,4 +515,4 @@ def test_what_is_no_slope_is_refused_in_one_line(files, tmp_path, capsys, words,
     except SystemExit as ended:
         code = ended.code
     error = capsys.readouterr().err.strip().splitlines()[-1]
-    assert code == 2 and said in error and not out.exists()
+    assert code == 2 and message in error and not out.exists()

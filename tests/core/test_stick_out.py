@@ -60,10 +60,13 @@ def test_beside_a_wall_the_holder_just_clears_its_top(present, met):
     """Cuts with upright axes at height 0, a wall of 40 mm: the holder stands 40 mm above the tip."""
     lifted = LIFTED if present < 40.0 else {}
     chart = found(wall(40.0), **lifted, cutter=f"ball:6:{present}", max_axis_angle=10.0)
-    told = chart.stick_out
-    assert told.present == present and told.enough == pytest.approx(40.0, abs=1e-9)
-    assert (told.met is not None) == met and told.shorter.enters == "holder"
-    assert told.shorter.depth == pytest.approx(stick_out.STEP, abs=1e-6) and told.shorter.entered == "part"
+    reported = chart.stick_out
+    assert reported.present == present and reported.enough == pytest.approx(40.0, abs=1e-9)
+    assert (reported.met is not None) == met and reported.shorter.enters == "holder"
+    assert (
+        reported.shorter.depth == pytest.approx(stick_out.STEP, abs=1e-6)
+        and reported.shorter.entered == "part"
+    )
 
 
 @some_in_core("tilt", [50.0, 60.0])
@@ -71,53 +74,53 @@ def test_tilted_over_a_plane_the_rim_of_the_holder_just_clears_it(tilt):
     """Tip and rim: L cos t - R sin t + r (1 - cos t) = 0 for a ball of r, a holder of R, and a tilt of t."""
     t = math.radians(tilt)
     least = (20.0 * math.sin(t) - 3.0 * (1.0 - math.cos(t))) / math.cos(t)
-    told = found(plate(half=60.0), tilt=tilt, max_axis_angle=tilt + 5.0).stick_out
-    assert 0.0 <= told.enough - least <= stick_out.STEP + 1e-6
+    reported = found(plate(half=60.0), tilt=tilt, max_axis_angle=tilt + 5.0).stick_out
+    assert 0.0 <= reported.enough - least <= stick_out.STEP + 1e-6
 
 
 def test_the_clearance_is_kept_all_round_the_holder():
     """A gap of 2 mm on the rim that is nearest to the plane, square to it."""
     t = math.radians(60.0)
     least = (2.0 + 20.0 * math.sin(t) - 3.0 * (1.0 - math.cos(t))) / math.cos(t)
-    told = found(plate(half=60.0), tilt=60.0, max_axis_angle=70.0, fixture_clearance=2.0).stick_out
-    assert 0.0 <= told.enough - least <= stick_out.STEP + 1e-6
+    reported = found(plate(half=60.0), tilt=60.0, max_axis_angle=70.0, fixture_clearance=2.0).stick_out
+    assert 0.0 <= reported.enough - least <= stick_out.STEP + 1e-6
 
 
 def test_a_fixture_is_in_the_way_as_the_part_is(tmp_path):
     write_stl(
         from_triangles(box_facets(*np.array(((30.5, -20.0, -10.0), (40.0, 20.0, 33.0))))), tmp_path / "v.stl"
     )
-    told = found(plate(), max_axis_angle=10.0, fixture=(str(tmp_path / "v.stl"),)).stick_out
-    assert told.enough == pytest.approx(33.0) and told.shorter.entered == "v.stl"
+    reported = found(plate(), max_axis_angle=10.0, fixture=(str(tmp_path / "v.stl"),)).stick_out
+    assert reported.enough == pytest.approx(33.0) and reported.shorter.entered == "v.stl"
 
 
-def test_where_no_length_within_reason_helps_that_is_said_with_what_is_met():
+def test_where_no_length_within_reason_helps_that_is_stated_with_what_is_met():
     chart = found(wall(200.0), max_axis_angle=10.0)
-    told = chart.stick_out
-    assert told.enough is None and told.longest == 130.0 and told.options == ()
-    said = next(one for one in chart.findings if one.code == "no-stick-out-free")
+    reported = chart.stick_out
+    assert reported.enough is None and reported.longest == 130.0 and reported.options == ()
+    message = next(one for one in chart.findings if one.code == "no-stick-out-free")
     assert (
-        "from that up to 130 mm" in said.text
-        and "holder goes at least" in said.text
-        and "smaller holder" in said.text
+        "from that up to 130 mm" in message.text
+        and "holder goes at least" in message.text
+        and "smaller holder" in message.text
     )
 
 
-def test_what_only_comes_too_near_is_said_to_and_goes_into_nothing():
+def test_what_only_comes_too_near_is_stated_to_and_goes_into_nothing():
     chart = found(wall(30.0), max_axis_angle=10.0, fixture_clearance=3.0)
-    said = next(one.text for one in chart.findings if one.code == "stick-out-enough")
+    message = next(one.text for one in chart.findings if one.code == "stick-out-enough")
     assert chart.stick_out.shorter.near and chart.stick_out.shorter.depth == 0.0
-    assert "comes nearer to the part than the clearance" in said and "goes at least" not in said
+    assert "comes nearer to the part than the clearance" in message and "goes at least" not in message
 
 
 def test_no_tool_is_proposed_that_would_have_no_length():
-    told = found(plate(), max_axis_angle=10.0, tool_length=30.0).stick_out
-    assert float(dict(told.options).get("tool_length", 30.0)) >= 0.0 and told.enough >= 20.0
+    reported = found(plate(), max_axis_angle=10.0, tool_length=30.0).stick_out
+    assert float(dict(reported.options).get("tool_length", 30.0)) >= 0.0 and reported.enough >= 20.0
 
 
 def test_where_nothing_is_ever_met_only_the_rounded_end_of_the_cutter_limits_it():
-    told = found(plate(), max_axis_angle=10.0).stick_out
-    assert told.enough == pytest.approx(3.1) and told.shorter is None
+    reported = found(plate(), max_axis_angle=10.0).stick_out
+    assert reported.enough == pytest.approx(3.1) and reported.shorter is None
 
 
 def test_without_a_holder_there_is_nothing_to_tell():
@@ -128,11 +131,11 @@ def test_without_a_holder_there_is_nothing_to_tell():
 # ------------------------------------------------------------------------------------------- the second route
 
 
-def samples(mesh, made, near=None):
+def samples(mesh, outcome, near=None):
     """Points (k, 3) of the mesh, and tips and axes (n, 3) of the tool: dense samples of the joints' straight
     way, and of the facets' edges, one in each cube of 4 mm and at 4000 places; or of all that are within 5 mm
     of a place."""
-    words = made.program.words
+    words = outcome.program.words
     corner = mesh.vertex[mesh.face]
     wide = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max()
     share = np.linspace(0.0, 1.0, math.ceil(wide / 5.0) + 1)[:, None, None, None]
@@ -145,7 +148,7 @@ def samples(mesh, made, near=None):
     at = np.linspace(0.0, 1.0, shares, endpoint=False)[:, None, None]
     way = ((1.0 - at) * words[:-1] + at * words[1:]).transpose(1, 0, 2).reshape(-1, 5)
     way = way[:: max(len(way) // 4000, 1)] if near is None else way
-    return point, *forward(made.kinematics, words_to_q(way))
+    return point, *forward(outcome.kinematics, words_to_q(way))
 
 
 CELLS = 5
@@ -173,9 +176,9 @@ def deepest_in(point, tip, axis, length, radius, high):
 
     deepest = 0.0
     for some in np.array_split(np.arange(len(tip)), max(len(tip) * len(middle) // 200_000, 1)):
-        told = depth(middle, tip[some, None], axis[some, None])
-        deepest = max(deepest, float(told.max()))
-        pose, of = np.nonzero(told + apart > deepest)
+        reported = depth(middle, tip[some, None], axis[some, None])
+        deepest = max(deepest, float(reported.max()))
+        pose, of = np.nonzero(reported + apart > deepest)
         which = np.repeat(np.arange(len(of)), count[of])
         rest = np.arange(len(which)) - np.repeat(np.cumsum(count[of]) - count[of], count[of])
         pose = some[pose[which]]
@@ -191,7 +194,7 @@ EXAMPLES = {
 }
 
 
-def made_with(mesh, given, chart, names=("cutter", "shank", "tool_length")):
+def result_with(mesh, given, chart, names=("cutter", "shank", "tool_length")):
     """The program that ``mill`` makes with what is recommended, of it the options of these names: the second
     route starts from them."""
     options = {name: value for name, value in chart.stick_out.options if name in names}
@@ -210,19 +213,19 @@ def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millime
     given = GIVEN | LIFTED | {"cutter": "ball:8", "holder": "40x30,63x60", "stepover": 8.0} | more
     chart = try_setups(build_settings("setup", "part.stl", given), mesh=mesh).chart
     enough = chart.stick_out.enough
-    result = made_with(mesh, given, chart)
+    result = result_with(mesh, given, chart)
     assert not [
         one for one in job.prove(result).findings if one.code in ("holder-collision", "machine-collision")
     ]
     assert holder_depth(mesh, result, enough) <= 0.01 + 1e-6
-    same = made_with(mesh, given, chart, ("tool_length",))  # the links of a shorter tool are others
+    same = result_with(mesh, given, chart, ("tool_length",))  # the links of a shorter tool are others
     assert holder_depth(mesh, same, enough) <= 0.01 + 1e-6
     assert holder_depth(mesh, same, enough - 0.5, chart.stick_out.shorter.place) > 0.05
 
 
-def holder_depth(mesh, made, length, near=None):
+def holder_depth(mesh, outcome, length, near=None):
     """How deep a holder of two steps is in the mesh, by samples."""
-    at = samples(mesh, made, near)
+    at = samples(mesh, outcome, near)
     return max(deepest_in(*at, length, 20.0, 30.0), deepest_in(*at, length + 30.0, 31.5, 60.0))
 
 
@@ -241,8 +244,8 @@ def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
     monkeypatch.setattr(standing.Run, "above", property(thinner))
     given = GIVEN | {"cutter": "ball:8", "stepover": 8.0, "tilt": 40.0}
     chart = try_setups(build_settings("setup", "part.stl", given), mesh=mesh).chart
-    told, made = chart.stick_out, made_with(mesh, given, chart, ())
-    assert deepest_in(*samples(mesh, made, told.shorter.place), told.enough, 20.0, 30.0) > 0.1
+    reported, outcome = chart.stick_out, result_with(mesh, given, chart, ())
+    assert deepest_in(*samples(mesh, outcome, reported.shorter.place), reported.enough, 20.0, 30.0) > 0.1
 
 
 # ---------------------------------------------------------------------------------------- machine and spindle
@@ -258,9 +261,9 @@ def test_the_spindle_over_a_known_tool_is_looked_at_and_the_length_is_stated():
         "tool_length": 80.0,
         "max_axis_angle": 10.0,
     }
-    told = found(wall(60.0), **LIFTED, **more).stick_out
-    assert told.shorter.enters == "spindle" and told.shorter.entered == "part"
-    assert told.enough == pytest.approx(50.0) and dict(told.options)["tool_length"] == "60"
+    reported = found(wall(60.0), **LIFTED, **more).stick_out
+    assert reported.shorter.enters == "spindle" and reported.shorter.entered == "part"
+    assert reported.enough == pytest.approx(50.0) and dict(reported.options)["tool_length"] == "60"
 
 
 # --------------------------------------------------------------------------------------------------- the tool
@@ -280,17 +283,19 @@ def test_the_spindle_over_a_known_tool_is_looked_at_and_the_length_is_stated():
 def test_a_tool_is_clamped_otherwise(cutter, shank, length, options):
     from freecad_fiveaxis.core.tool import cutter_text
 
-    made = clamp_tool(Stack(parse_cutter(cutter), shank), length)
-    assert (cutter_text(made.cutter), made.shank) == options and made.stick_out == pytest.approx(length)
+    outcome = clamp_tool(Stack(parse_cutter(cutter), shank), length)
+    assert (cutter_text(outcome.cutter), outcome.shank) == options and outcome.stick_out == pytest.approx(
+        length
+    )
 
 
 @pytest.mark.parametrize(
     "cutter", ["ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "lollipop:10:6", "barrel:10:85:2"]
 )
-def test_the_shortest_tool_can_be_made_and_a_shorter_one_is_refused(cutter):
+def test_the_shortest_tool_can_be_built_and_a_shorter_one_is_refused(cutter):
     stack = Stack(parse_cutter(cutter), (), ((40.0, 30.0),))
-    made = clamp_tool(stack, stack.shortest)
-    assert made.stick_out == pytest.approx(stack.shortest) and made.body.pieces
+    outcome = clamp_tool(stack, stack.shortest)
+    assert outcome.stick_out == pytest.approx(stack.shortest) and outcome.body.pieces
     with pytest.raises(SettingsError, match="stick-out"):
         clamp_tool(stack, stack.shortest - 0.5)
 
@@ -313,9 +318,9 @@ def test_text_page_and_record_say_it_with_the_option_to_give(tmp_path, capsys):
     words += ["--region", "20,0,0", "--grid", "2,1,1"]
     reports = [str(tmp_path / f"map.{ending}") for ending in ("json", "html")]
     assert cli.main([*words, "--report", reports[0], "--report", reports[1]]) == 0
-    said = " ".join(capsys.readouterr().out.split())
-    assert "Tool stick-out: 40 mm are enough, 50 mm are set. Give --cutter ball:6:40." in said
-    assert "for a tool that sticks out 40 mm: --cutter=ball:6:40" in said
+    message = " ".join(capsys.readouterr().out.split())
+    assert "Tool stick-out: 40 mm are enough, 50 mm are set. Give --cutter ball:6:40." in message
+    assert "for a tool that sticks out 40 mm: --cutter=ball:6:40" in message
     record = json.loads(Path(reports[0]).read_text())["stick_out"]
     assert (record["present"], record["enough"], record["met"]) == (50.0, 40.0, None)
     assert record["options"] == {"cutter": "ball:6:40"} and record["shorter"]["enters"] == "holder"

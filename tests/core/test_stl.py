@@ -137,7 +137,7 @@ def solid_text(*changes):
 
 
 @pytest.mark.parametrize(
-    ("data", "said"),
+    ("data", "message"),
     [
         (b"", "empty"),
         (b" \n\t ", "empty"),
@@ -172,8 +172,8 @@ def solid_text(*changes):
         (binary(np.ones((3, 3, 3))), "has an area"),
     ],
 )  # fmt: skip
-def test_a_broken_file_is_refused_in_one_line_that_names_it(read, data, said):
-    with pytest.raises(MeshError, match=said) as caught:
+def test_a_broken_file_is_refused_in_one_line_that_names_it(read, data, message):
+    with pytest.raises(MeshError, match=message) as caught:
         read(data)
     text = str(caught.value)
     assert text.startswith("part.stl: ")
@@ -189,7 +189,7 @@ def test_the_facet_number_counts_through_all_pieces(read, monkeypatch):
         read("\n".join(lines))
 
 
-def test_progress_is_told_and_may_stop_the_reading(tmp_path):
+def test_progress_is_reported_and_may_stop_the_reading(tmp_path):
     write_stl(from_triangles(box()), tmp_path / "part.stl", ascii=True)
     heard = []
     read_stl(tmp_path / "part.stl", lambda stage, fraction: heard.append(fraction))
@@ -271,7 +271,7 @@ def test_a_gap_that_is_no_rounding_stays_open(read, side, apart):
     assert not value(mesh, "corners-joined") and value(mesh, "open-shell") == 24
 
 
-def test_of_a_mesh_that_hangs_together_nowhere_it_is_said_how_to_repair_it(read):
+def test_of_a_mesh_that_hangs_together_nowhere_it_is_stated_how_to_repair_it(read):
     loose = sheet(4, 3) + 0.1 * np.random.default_rng(3).uniform(-1.0, 1.0, (24, 3, 3))
     torn = [one for one in read("\n".join(ascii_lines(loose)).encode()).findings if one.code == "open-shell"]
     assert len(torn) == 1 and "hang together nearly nowhere" in torn[0].text and torn[0].value == 72

@@ -92,15 +92,15 @@ def page(linearize):
     return as_html(job.figures(proven("box", linearize=linearize))).replace("&#x27;", "'")
 
 
-def centres(made):
+def centres(outcome):
     """The ball's centre (n, 3) mm at most STEP apart on the real way of all blocks that cut."""
     q, cut = (
-        words_to_q(made.program.words),
-        np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL))),
+        words_to_q(outcome.program.words),
+        np.flatnonzero(np.isin(outcome.program.motion[1:], (Motion.CUT, Motion.FILL))),
     )
 
     def at(block, u):
-        tip, axis = forward(made.kinematics, q[block] + u[:, None] * (q[block + 1] - q[block]))
+        tip, axis = forward(outcome.kinematics, q[block] + u[:, None] * (q[block + 1] - q[block]))
         return tip + RADIUS * axis
 
     rough = at(np.repeat(cut, 21), np.tile(np.linspace(0.0, 1.0, 21), len(cut))).reshape(-1, 21, 3)
@@ -109,9 +109,9 @@ def centres(made):
     return at(np.repeat(cut, count), within / np.repeat(count - 1, count))
 
 
-def commanded(made):
+def commanded(outcome):
     """The same on the way that the CL path commands, the centre straight from row to row."""
-    path = made.joints.path
+    path = outcome.joints.path
     centre, cut = (
         path.tip + RADIUS * path.axis,
         np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))),
@@ -122,9 +122,9 @@ def commanded(made):
     return centre[block] + share * (centre[block + 1] - centre[block])
 
 
-def rest(made, centre, spacing=0.2):
+def rest(outcome, centre, spacing=0.2):
     """What balls at ``centre`` (n, 3) mm leave (k,) mm over points of all facets that do not look down."""
-    corner = made.mesh.vertex[made.mesh.face][made.mesh.normal[:, 2] > -0.5]
+    corner = outcome.mesh.vertex[outcome.mesh.face][outcome.mesh.normal[:, 2] > -0.5]
     count = int(np.ceil(np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max() / spacing))
     i, j = (part.ravel() for part in np.indices((count + 1, count + 1)))
     share = np.stack([i, j, count - i - j], 1)[i + j <= count] / count
@@ -138,19 +138,19 @@ def rest(made, centre, spacing=0.2):
 def test_flat_faces_between_sharp_edges_keep_no_more_than_two_scallops(name):
     """But for the middle of the level dodecagon, 0.1 mm across, where its passes end: that is their own
     way's."""
-    made = milled(name)
-    left = rest(made, centres(made))
+    outcome = milled(name)
+    left = rest(outcome, centres(outcome))
     more = left > 2.0 * SCALLOP
     assert more.mean() < (3e-4 if name == "dodecagon" else 1e-12)
-    assert (left <= rest(made, commanded(made)) + 0.01 + 1e-4).all()
+    assert (left <= rest(outcome, commanded(outcome)) + 0.01 + 1e-4).all()
     assert left.min() >= -0.01 - 1e-4
 
 
-def test_led_by_its_tip_the_ball_bulges_off_the_same_faces(monkeypatch):
+def test_corrected_by_its_tip_the_ball_bulges_off_the_same_faces(monkeypatch):
     """The judge sees what was wrong before blocks were divided by the centre."""
     monkeypatch.setattr(driving, "compute_driven_to_surface", lambda settings: 0.0)
-    made = milled_anew("box")
-    left = rest(made, centres(made), 0.4)
+    outcome = milled_anew("box")
+    left = rest(outcome, centres(outcome), 0.4)
     assert left.max() > 0.2
     assert (left > 2.0 * SCALLOP).mean() > 0.2
 
@@ -175,8 +175,10 @@ def test_the_report_judges_the_centre_and_tells_the_tip_beside_it(linearize):
     assert numbers["over_tolerance"] == (result.surface.segment[feeds] > 0.01).sum()
     assert numbers["proven"] == (linearize == "on") == (numbers["max_surface_bound"] <= 0.01)
     assert numbers["worst_block"] == feeds[result.surface.segment[feeds].argmax()]
-    for said in (as_text(figures), page(linearize)):
-        assert "largest deviation of the ball's centre" in said and "largest deviation of the tip" in said
+    for message in (as_text(figures), page(linearize)):
+        assert (
+            "largest deviation of the ball's centre" in message and "largest deviation of the tip" in message
+        )
     over = [finding for finding in result.findings if finding.code == "deviation-over-tolerance"]
     assert bool(over) == (linearize == "off") and all(len(one.place) == 3 for one in over)
     assert not over or ("ball's centre along a curve" in over[0].text and "RTCP" not in over[0].text)
@@ -217,7 +219,7 @@ def test_the_surface_deviation_is_that_of_dense_samples():
         {"rtcp": "angles", "controller": "siemens840d"},
     ],
 )
-def test_what_is_not_led_by_another_point_has_no_surface_of_its_own(options):
+def test_what_is_not_corrected_by_another_point_has_no_surface_of_its_own(options):
     result = proven("box", **options)
     assert result.surface is None
     assert summary(job.figures(result))["max_surface_deviation"] is None
@@ -331,12 +333,14 @@ def test_the_page_shows_the_worst_block_of_the_centre():
 def test_a_program_is_compared_with_its_cl_path_by_the_centre_of_the_ball_that_the_file_names(tmp_path):
     """Its blocks were divided for the centre: the tips between two rows lie off the tip's straight line, the
     centres on theirs."""
-    made = milled("box")
-    (tmp_path / "a.apt").write_bytes(write_apt(made.path, Cutter(2 * RADIUS), "box"))
-    found = audited(tmp_path / "a.ngc", made.nc, against=str(tmp_path / "a.apt"))
+    outcome = milled("box")
+    (tmp_path / "a.apt").write_bytes(write_apt(outcome.path, Cutter(2 * RADIUS), "box"))
+    found = audited(tmp_path / "a.ngc", outcome.nc, against=str(tmp_path / "a.apt"))
     assert not {"off-cl-path", "between-cl-rows", "deviation-over-tolerance"} & {
         one.code for one in found.findings
     }
     assert found.audit.path.off.max() <= 0.01 and found.draft.settings.cutter.cutter.diameter == 2 * RADIUS
-    (tmp_path / "a.apt").write_bytes(write_apt(made.path, Cutter(2 * RADIUS, corner=1.0), "box"))
-    assert audited(tmp_path / "a.ngc", made.nc, against=str(tmp_path / "a.apt")).audit.path.off.max() > 0.02
+    (tmp_path / "a.apt").write_bytes(write_apt(outcome.path, Cutter(2 * RADIUS, corner=1.0), "box"))
+    assert (
+        audited(tmp_path / "a.ngc", outcome.nc, against=str(tmp_path / "a.apt")).audit.path.off.max() > 0.02
+    )

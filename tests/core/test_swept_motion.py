@@ -52,7 +52,7 @@ def test_a_tip_that_swings_about_the_driven_point_bends_with_it(back):
     assert tip <= swept.bend_tip[0] + 1e-7 and axis * (1 - 1e-9) <= swept.bend_axis[0]
 
 
-def test_random_blocks_bend_no_more_than_is_said():
+def test_random_blocks_bend_no_more_than_is_stated():
     rng, kinematics = np.random.default_rng(2), chain(load_machine("trunnion_ac"), Setup())
     words = np.cumsum(rng.normal(size=(31, 5)) * (8, 8, 8, 25, 12), axis=0)
     swept = real_motion(kinematics, words, 30.0)

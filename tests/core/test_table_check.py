@@ -44,9 +44,11 @@ def below(result):
 
 def lowest(result, height, **given):
     """The finding of the same program over a table at this height, mm."""
-    made = result.draft
-    back = tip_to_driven(made.settings)
-    return check_table(height, tool_body(made.settings), made.kinematics, made.program, 0.01, back, **given)
+    outcome = result.draft
+    back = tip_to_driven(outcome.settings)
+    return check_table(
+        height, tool_body(outcome.settings), outcome.kinematics, outcome.program, 0.01, back, **given
+    )
 
 
 def test_a_level_ball_at_the_foot_of_a_wall_goes_below_the_table_by_its_radius():
@@ -56,7 +58,7 @@ def test_a_level_ball_at_the_foot_of_a_wall_goes_below_the_table_by_its_radius()
     assert "below the table" in str(one.text) and one.place[2] == pytest.approx(0.0, abs=3.0)
 
 
-def test_what_is_proven_of_the_table_is_said_and_only_then():
+def test_what_is_proven_of_the_table_is_stated_and_only_then():
     def proven(result):
         figures = job.figures(result)
         return [str(one) for one in scope(figures, summary(figures)).proven]
@@ -83,10 +85,10 @@ def test_axes_that_are_found_freely_keep_off_the_table(monkeypatch):
 def test_bounds_that_clear_the_whole_way_lie_just_below_its_lowest_point():
     """The ball's lowest point is 3 mm below the work zero, see above: a bound that clears less would only be
     slow, one that clears more would hide a collision."""
-    made = proved(origin=ON_TABLE, gouge="report").draft
+    outcome = proved(origin=ON_TABLE, gouge="report").draft
     body, swept = (
-        tool_body(made.settings),
-        program_motion(made.kinematics, made.program, tip_to_driven(made.settings)),
+        tool_body(outcome.settings),
+        program_motion(outcome.kinematics, outcome.program, tip_to_driven(outcome.settings)),
     )
     assert stays_above(-3.1, body, swept)
     assert not stays_above(-2.99, body, swept)
@@ -95,10 +97,10 @@ def test_bounds_that_clear_the_whole_way_lie_just_below_its_lowest_point():
 
 def test_a_way_that_bends_is_cleared_only_below_its_bend():
     """On its way the tip goes lower than at both ends."""
-    made = proved(gouge="off").draft
-    body, back = tool_body(made.settings), tip_to_driven(made.settings)
-    for program in (swung(made, side) for side in (1.0, -1.0)):
-        swept = program_motion(made.kinematics, program, back)
+    outcome = proved(gouge="off").draft
+    body, back = tool_body(outcome.settings), tip_to_driven(outcome.settings)
+    for program in (swung(outcome, side) for side in (1.0, -1.0)):
+        swept = program_motion(outcome.kinematics, program, back)
         lowest = swept.pose(np.zeros(101, np.int64), np.linspace(0.0, 1.0, 101)).tip[2].min()
         assert not stays_above(lowest - 2.0, body, swept)
 
@@ -116,13 +118,13 @@ def test_nothing_is_looked_at_where_gouges_are_not_or_the_table_is_not_known():
     assert not below(proved(origin=(0.0, 0.0, -150.0), gouge="report"))
 
 
-def swung(made, side):
+def swung(outcome, side):
     """A program of one rapid from the tool upright 50 mm above the work zero to the tool level there:
     half-way it is 29 mm lower."""
     words = np.zeros((2, 5))
     words[:, 2] = 50.0, -50.0
-    words[1, 1], words[1, made.program.letters.index("A")] = side * 100.0, 90.0
-    rows, one = slice(0, 2), made.program
+    words[1, 1], words[1, outcome.program.letters.index("A")] = side * 100.0, 90.0
+    rows, one = slice(0, 2), outcome.program
     columns = {name: getattr(one, name)[rows] for name in ("feed", "inverse_time", "seconds", "row", "line")}
     return replace(one, words=words, motion=np.full(2, Motion.RAPID, np.int8), **columns)
 
@@ -130,17 +132,17 @@ def swung(made, side):
 def test_a_rapid_that_misses_the_table_interpolated_goes_below_it_where_one_axis_comes_after_the_other():
     """A turns about a line 50 mm below the work zero: with A first, or Y and Z first, the tip comes down to
     that height."""
-    made = proved(gouge="off").draft
-    back = tip_to_driven(made.settings)
+    outcome = proved(gouge="off").draft
+    back = tip_to_driven(outcome.settings)
     (program,) = [
-        one for one in (swung(made, side) for side in (1.0, -1.0))
-        if forward(made.kinematics, words_to_q(one.words))[0][1, 2] == pytest.approx(50.0, abs=1e-6)
+        one for one in (swung(outcome, side) for side in (1.0, -1.0))
+        if forward(outcome.kinematics, words_to_q(one.words))[0][1, 2] == pytest.approx(50.0, abs=1e-6)
     ]  # fmt: skip
-    assert table_slab(-20.0, made.kinematics, program).vertex[:, 2].max() == -20.0
+    assert table_slab(-20.0, outcome.kinematics, program).vertex[:, 2].max() == -20.0
 
     def found(height, rapids):
         return check_table(
-            height, tool_body(made.settings), made.kinematics, program, 0.01, back, rapids=rapids
+            height, tool_body(outcome.settings), outcome.kinematics, program, 0.01, back, rapids=rapids
         )
 
     assert not found(-20.0, INTERPOLATED)

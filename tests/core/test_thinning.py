@@ -68,7 +68,7 @@ def test_without_a_part_all_but_links_cut():
     assert (picture.cut == (figures.program.motion[picture.block] != Motion.LINK)).all()
 
 
-def test_places_that_are_lifted_off_the_part_are_told_from_those_at_it():
+def test_places_that_are_lifted_off_the_part_are_reported_from_those_at_it():
     mesh = from_triangles(SQUARE)
     place = np.array(
         [

@@ -128,6 +128,6 @@ def test_a_long_mill_hears_ctrl_c_and_writes_nothing(passes, stage, tmp_path):
     with subprocess.Popen(command, stderr=subprocess.PIPE, preexec_fn=hear_ctrl_c) as mill:
         assert read_until(mill.stderr, stage), "the mill ended before the stage was shown"
         mill.send_signal(signal.SIGINT)
-        said = mill.communicate(timeout=300)[1]
-    assert mill.returncode == 130, said
-    assert b"nothing was written" in said and not out.exists()
+        message = mill.communicate(timeout=300)[1]
+    assert mill.returncode == 130, message
+    assert b"nothing was written" in message and not out.exists()

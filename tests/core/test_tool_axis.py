@@ -69,7 +69,7 @@ def test_all_rows_of_one_contact_point_share_the_axis(strategy, options):
     np.testing.assert_allclose(axis[1:][same], axis[:-1][same], atol=1e-14)
 
 
-def test_the_fixed_axis_is_made_unit():
+def test_the_fixed_axis_is_built_unit():
     axis = plain("fixed", offset(UNEVEN), fixed=(0, 3, 4))
     np.testing.assert_allclose(axis, np.broadcast_to((0, 0.6, 0.8), axis.shape), atol=1e-16)
 
@@ -104,7 +104,7 @@ def test_positive_tilt_leans_to_the_right_of_the_feed():
     np.testing.assert_allclose(axis, np.broadcast_to((0, -np.sin(0.3), np.cos(0.3)), axis.shape), atol=1e-15)
 
 
-def test_lead_and_tilt_turn_by_the_angles_that_were_asked_for():
+def test_lead_and_tilt_turn_by_the_angles_that_were_requested():
     path = offset(UNEVEN, skew=(0.2, 1, 0.1))
     axis = plain("facet_mean", path)
     for options in ({"lead": 0.4}, {"tilt": -0.25}):

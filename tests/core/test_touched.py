@@ -52,11 +52,11 @@ def test_no_point_of_a_facet_demands_more_than_those_that_are_touched(name):
     corner, pose = facets(3)
     samples = dense(corner)
     least = most_of(piece, pose, [samples[..., k] for k in range(samples.shape[-1])])
-    told = most_of(piece, pose, [*corner, *points_touched(piece, pose, corner)])
+    reported = most_of(piece, pose, [*corner, *points_touched(piece, pose, corner)])
     under = np.isfinite(least)
     assert under.sum() > 50
-    assert (told[under] >= least[under] - 1e-6).all()
-    assert (told[under] <= least[under] + 1.5).all(), "nor are places told that no facet has"
+    assert (reported[under] >= least[under] - 1e-6).all()
+    assert (reported[under] <= least[under] + 1.5).all(), "nor are places told that no facet has"
 
 
 def test_corners_alone_would_not_do():

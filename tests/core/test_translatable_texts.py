@@ -58,7 +58,7 @@ def bare_sentences(source):
                 yield from ((node.lineno, ast.unparse(value)) for value in values if has_words(value))
 
 
-def test_every_finding_and_every_error_can_be_said_again():
+def test_every_finding_and_every_error_can_be_repeated():
     bare = []
     for path in sorted((ROOT / "freecad_fiveaxis").rglob("*.py")):
         if "gui" not in path.parts:
@@ -91,5 +91,5 @@ def test_a_bare_sentence_would_be_noticed(source):
         'raise MachineError(error.text, error.value)',
     ],
 )  # fmt: skip
-def test_what_is_said_is_not_bare(source):
+def test_what_is_stated_is_not_bare(source):
     assert not list(bare_sentences(source))

@@ -32,7 +32,7 @@ def messages_of(qm):
     records, table = sections[translations.MESSAGES], sections[translations.HASHES]
     pairs = [struct.unpack_from(">II", table, row) for row in range(0, len(table), 8)]
     assert pairs == sorted(pairs)
-    made = {}
+    result = {}
     for found, start in pairs:
         parts, place = {}, start
         while records[place] != translations.END:
@@ -40,10 +40,10 @@ def messages_of(qm):
             parts[tag], place = records[place + 5 : place + 5 + size], place + 5 + size
         source = parts[translations.SOURCE]
         assert found == translations.elf_hash(source)
-        made[parts[translations.CONTEXT].decode(), source.decode()] = parts[translations.TRANSLATION].decode(
-            "utf-16-be"
-        )
-    return made
+        result[parts[translations.CONTEXT].decode(), source.decode()] = parts[
+            translations.TRANSLATION
+        ].decode("utf-16-be")
+    return result
 
 
 def test_german_is_there():
@@ -117,10 +117,10 @@ commands."""
 
 
 def test_no_sentence_of_the_core_speaks_the_language_of_the_command_line():
-    said = {
+    message = {
         text: re.sub(r"\{\w*\}", "", text) for context, text in translations.texts() if context == CONTEXT
     }
-    inner = sorted(text for text, words in said.items() if COMMANDS.search(words))
+    inner = sorted(text for text, words in message.items() if COMMANDS.search(words))
     assert not inner, inner
 
 
@@ -342,7 +342,7 @@ def test_ts_and_qm_hold_any_text():
     }  # fmt: skip
     assert translations.read_ts(translations.write_ts("de", messages)) == messages
     assert messages_of(translations.write_qm("de", messages)) == {
-        text: told for text, told in messages.items() if told
+        text: reported for text, reported in messages.items() if reported
     }
 
 
@@ -357,5 +357,5 @@ def test_unfinished_and_vanished_messages_do_not_count():
 def test_translations_keep_the_places_for_values(path):
     """``{}``, ``{name}``, ``%1`` and a file filter's ``*.ngc`` must come back as they went out."""
     places = re.compile(r"\{[^{}]*\}|%\w|\*\.\w+")
-    for (context, text), told in translations.read_ts(path.read_text(encoding="utf-8")).items():
-        assert sorted(places.findall(told)) == sorted(places.findall(text)), (context, text, told)
+    for (context, text), reported in translations.read_ts(path.read_text(encoding="utf-8")).items():
+        assert sorted(places.findall(reported)) == sorted(places.findall(text)), (context, text, reported)

@@ -30,8 +30,8 @@ def part(tmp_path):
 @pytest.fixture
 def path(tmp_path):
     file = tmp_path / "cap.apt"
-    made = milled(stepover=12.0, rings=8)
-    file.write_bytes(write_apt(made.path, made.settings.cutter.cutter, "cap"))
+    result = milled(stepover=12.0, rings=8)
+    file.write_bytes(write_apt(result.path, result.settings.cutter.cutter, "cap"))
     return file
 
 

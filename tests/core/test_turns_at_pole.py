@@ -23,19 +23,19 @@ UPRIGHT = [(0, 0, 0, 0, 0), (2, 0, 0, 30, 0), (4, 0, 0, 70, 0)]
 """C turns by 30 and 40 deg while the tool stands along it; the blocks are 2 and more mm long."""
 
 
-def found_in(words, feed=600.0, asked=600.0, tolerance=3.0, **more):
+def found_in(words, feed=600.0, wanted=600.0, tolerance=3.0, **more):
     """Return the figures, judged, of blocks at ``feed`` where ``asked`` mm/min was meant."""
     kinematics = chain(TRUNNION, Setup())
     words = np.array(words, float)
     program = replace(program_of(kinematics, words, feed=feed), **more)
     deviation, singularity = sampled(kinematics, program.words)
-    asked = None if asked is None else np.full(len(words), asked)
-    found = judge(kinematics, program, deviation, singularity, tolerance, programmed=asked)
+    wanted = None if wanted is None else np.full(len(words), wanted)
+    found = judge(kinematics, program, deviation, singularity, tolerance, programmed=wanted)
     none = np.zeros(len(words) - 1)
     entries = Entries(none, none, none, np.zeros((len(none), 3)), none.astype(int), none.astype(int))
     return Figures(
         "part.stl", "mill", TRUNNION, kinematics, program, deviation, singularity, tolerance, found,
-        gouge=GougeCheck(entries, entries, none.astype(bool), ()), programmed_feed=asked,
+        gouge=GougeCheck(entries, entries, none.astype(bool), ()), programmed_feed=wanted,
     )  # fmt: skip
 
 
@@ -58,7 +58,7 @@ def test_a_machine_at_its_rate_that_hardly_slows_the_tool_is_a_note_and_one_that
     """C turns at its maximum rate in both: 14400 deg/min."""
     words = np.array(UPRIGHT[:2], float)
     speed = 2.0 / (30.0 / 14400.0)  # mm/min that the tip has then
-    slow, dwells = (found_in(words, feed=1e5, asked=speed / share) for share in (0.8, 0.7))
+    slow, dwells = (found_in(words, feed=1e5, wanted=speed / share) for share in (0.8, 0.7))
     assert named(slow) == [("turns-at-pole", Severity.NOTE)] and "80 % of its feed" in slow.findings[0].text
     assert named(dwells)[0] == ("singular-block", Severity.WARNING)
     assert verdict(dwells, summary(dwells)).text == "CHECK: 1 block near the pole."
@@ -67,7 +67,7 @@ def test_a_machine_at_its_rate_that_hardly_slows_the_tool_is_a_note_and_one_that
 @pytest.mark.parametrize(
     "more",
     [
-        {"asked": None},
+        {"wanted": None},
         {"tolerance": 0.1},
         {"seconds": np.zeros(3)},
         {"guided": Guided(np.array([False, True, True]), np.zeros((3, 3)))},
@@ -89,7 +89,7 @@ def test_a_tool_that_leans_is_not_at_the_pole_and_by_rounding_it_does_not_lean(l
 
 def test_a_tool_that_turns_over_and_back_leaves_the_pole_between():
     codes = {
-        code for code, _ in named(found_in([(0, 0, 0, 0, 0), (2, 0, 0, 30, 360)], asked=1.0, tolerance=1e3))
+        code for code, _ in named(found_in([(0, 0, 0, 0, 0), (2, 0, 0, 30, 360)], wanted=1.0, tolerance=1e3))
     }
     assert codes == {"singular-block"}
 
@@ -123,11 +123,13 @@ def test_a_plain_box_is_not_to_be_checked_for_turns_on_its_flat_top():
 def test_an_audit_counts_the_blocks_at_the_pole_as_the_making_of_the_program_does(controller, tmp_path):
     block = prism([(-8, 0), (8, 0), (8, 12), (-8, 12)], 20.0)
     given = {"machine": "trunnion_ac", "cutter": "ball:8", "scallop": 0.4, "spindle": 8000}
-    made = job.prove(job.make(build_settings("mill", "box", given | {"controller": controller}), mesh=block))
-    (tmp_path / "p.nc").write_bytes(made.draft.nc)
+    outcome = job.prove(
+        job.make(build_settings("mill", "box", given | {"controller": controller}), mesh=block)
+    )
+    (tmp_path / "p.nc").write_bytes(outcome.draft.nc)
     read = job.run(build_settings("audit", str(tmp_path / "p.nc"), {"machine": "trunnion_ac"}))
-    asked, counted = (summary(job.figures(one))["blocks_at_pole"] for one in (made, read))
-    assert counted == asked > 10
+    wanted, counted = (summary(job.figures(one))["blocks_at_pole"] for one in (outcome, read))
+    assert counted == wanted > 10
     codes = [one.code for one in read.findings]
     assert codes.count("turns-at-pole") == 1 and "singular-block" not in codes
 
@@ -158,12 +160,12 @@ def test_without_any_time_no_feed_is_taken_as_programmed():
     assert assume_programmed_feed(kinematics, replace(program, seconds=np.zeros(3))) is None
 
 
-def test_a_tool_that_does_not_lean_by_the_turn_is_not_told_of_as_leaning_by_0_deg():
-    (still,) = found_in(UPRIGHT[:2], asked=None).findings
+def test_a_tool_that_does_not_lean_by_the_turn_is_not_reported_of_as_leaning_by_0_deg():
+    (still,) = found_in(UPRIGHT[:2], wanted=None).findings
     assert (
         "C turns 30 deg and the tool leans as before" in still.text and "lean the tool by" not in still.text
     )
-    (leaning,) = found_in([(0, 0, 0, 0, 0), (2, 0, 0, 30, 0.1)], asked=None).findings
+    (leaning,) = found_in([(0, 0, 0, 0, 0), (2, 0, 0, 30, 0.1)], wanted=None).findings
     assert "C turns 30 deg and A 0.1 deg to lean the tool by 0.1 deg" in leaning.text
 
 

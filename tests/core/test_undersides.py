@@ -64,71 +64,73 @@ def skin(body, step=3.0):
     return np.concatenate(points)
 
 
-def sampled(made, motion):
+def sampled(result, motion):
     """Places of the tool's skin (b, k, 3) mm along the blocks with this motion, in batches."""
-    program, back = made.program, tip_to_driven(made.settings)
+    program, back = result.program, tip_to_driven(result.settings)
     words, blocks = program.words, np.flatnonzero(program.motion[1:] == motion)
-    tip = gouge_judge.poses(made.kinematics, words, blocks, np.zeros(len(blocks)))[0]
-    end = gouge_judge.poses(made.kinematics, words, blocks, np.ones(len(blocks)))[0]
+    tip = gouge_judge.poses(result.kinematics, words, blocks, np.zeros(len(blocks)))[0]
+    end = gouge_judge.poses(result.kinematics, words, blocks, np.ones(len(blocks)))[0]
     turn = np.abs(words[blocks + 1, 3:] - words[blocks, 3:]).max(axis=1)
     count = np.ceil(np.maximum(np.linalg.norm(end - tip, axis=1) / STEP, turn / TURN)).astype(int) + 2
     block, u = gouge_judge.spread(blocks, count)
-    points = skin(tool_body(made.settings))
+    points = skin(tool_body(result.settings))
     for some in np.array_split(np.arange(len(block)), len(block) // 500 + 1):
         yield gouge_judge.placed(
-            points, *gouge_judge.poses(made.kinematics, words, block[some], u[some], back)
+            points, *gouge_judge.poses(result.kinematics, words, block[some], u[some], back)
         )
 
 
-def nearest_to_box(made):
+def nearest_to_box(result):
     """How far (mm) the tool keeps off the part's box on rapids; negative inside, by so much as it is in from
     the nearest side."""
-    low, high = made.mesh.box
-    return min(np.maximum(low - at, at - high).max(axis=2).min() for at in sampled(made, Motion.RAPID))
+    low, high = result.mesh.box
+    return min(np.maximum(low - at, at - high).max(axis=2).min() for at in sampled(result, Motion.RAPID))
 
 
-def deepest_link(made):
+def deepest_link(result):
     """How deep (mm) the tool's skin is in the part on links, by libigl's distances to the mesh; 0 where it
     stays out. Of a closed part only what is in its box can be in it: nothing else is asked."""
-    low, high = made.mesh.box
+    low, high = result.mesh.box
     deepest = 0.0
-    for at in sampled(made, Motion.LINK):
+    for at in sampled(result, Motion.LINK):
         inside = at[((at >= low) & (at <= high)).all(axis=2)]
         if len(inside):
-            deepest = max(deepest, -gouge_judge.distances(made.mesh, inside, signed=True).min())
+            deepest = max(deepest, -gouge_judge.distances(result.mesh, inside, signed=True).min())
     return deepest
 
 
-def gouges(made):
+def gouges(result):
     """Codes of the errors of a program that say where the tool enters the part."""
     return {
-        one.code for one in job.prove(made).findings if one.severity == Severity.ERROR and one.code in GOUGES
+        one.code
+        for one in job.prove(result).findings
+        if one.severity == Severity.ERROR and one.code in GOUGES
     }
 
 
-def starts(made):
-    return {one.code for one in made.findings} & {"start-through-part"}
+def starts(result):
+    return {one.code for one in result.findings} & {"start-through-part"}
 
 
 @some_in_core("links", ["over", "near"], kept=(1,))
 @some_in_core("machine", list(MACHINE))
 @some_in_core("part", list(PARTS))
 def test_the_whole_tool_gets_there_and_away(part, machine, links):
-    made = milled(part, machine, links=links)
-    assert (made.path.axis[:, 2].min() < -0.25) == (part != "block")
-    assert not gouges(made) and not starts(made)
-    off = made.settings.links.clearance - 2.5  # half of it for the bend of a traverse that turns
-    assert nearest_to_box(made) > off
-    assert deepest_link(made) <= made.settings.proof.tolerance
+    result = milled(part, machine, links=links)
+    assert (result.path.axis[:, 2].min() < -0.25) == (part != "block")
+    assert not gouges(result) and not starts(result)
+    off = result.settings.links.clearance - 2.5  # half of it for the bend of a traverse that turns
+    assert nearest_to_box(result) > off
+    assert deepest_link(result) <= result.settings.proof.tolerance
 
 
 def machine_file(folder, name, **limits):
     """A machine of ours with other limits, deg, of its rotary axes."""
-    told = json.loads((FILES / f"{name}.fcm").read_text())
+    reported = json.loads((FILES / f"{name}.fcm").read_text())
     for letter, (low, high) in limits.items():
-        told["machine"]["axes"][letter]["limits"] = {"min": low, "max": high}
+        reported["machine"]["axes"][letter]["limits"] = {"min": low, "max": high}
     path = folder / f"{name}.fcm"
-    path.write_text(json.dumps(told))
+    path.write_text(json.dumps(reported))
     return str(path)
 
 
@@ -136,42 +138,42 @@ def machine_file(folder, name, **limits):
 @some_in_core("name, letter", [("trunnion_ac", "A"), ("fork_head_bc", "B")])
 def test_a_machine_that_turns_right_round_cuts_the_underside(tmp_path, name, letter, passes):
     machine = machine_file(tmp_path, name, **{letter: (-180.0, 180.0)})
-    made = milled(
+    result = milled(
         "mushroom", name, machine=machine, max_axis_angle=180, passes=passes, scallop=0.3, stepover=None
     )
-    assert made.path.axis[:, 2].min() == pytest.approx(-1.0) and made.keep.all()
-    assert not gouges(made) and not starts(made)
-    assert nearest_to_box(made) > made.settings.links.clearance - 2.5
+    assert result.path.axis[:, 2].min() == pytest.approx(-1.0) and result.keep.all()
+    assert not gouges(result) and not starts(result)
+    assert nearest_to_box(result) > result.settings.links.clearance - 2.5
 
 
 def rewinding(folder, links):
     """The mushroom on a machine that has to turn back inside cuts."""
     machine = machine_file(folder, "trunnion_ac", C=(-170.0, 190.0), A=(0.0, 120.0))
-    made = milled("mushroom", "trunnion_ac", machine=machine, links=links, passes="zlevel", stepover=7.0)
-    assert any(one.code == "rewind" for one in made.findings)
-    return made
+    result = milled("mushroom", "trunnion_ac", machine=machine, links=links, passes="zlevel", stepover=7.0)
+    assert any(one.code == "rewind" for one in result.findings)
+    return result
 
 
 def test_rewinds_between_cuts_keep_the_whole_tool_off(tmp_path):
     machine = machine_file(tmp_path, "trunnion_ac", C=(-200.0, 200.0), A=(0.0, 120.0))
-    made = milled("mushroom", "trunnion_ac", machine=machine, links="near", passes="zlevel", stepover=7.0)
-    assert {"rewinds-between-cuts"} <= {one.code for one in made.findings} and not gouges(made)
-    assert nearest_to_box(made) > made.settings.links.clearance - 2.5
+    result = milled("mushroom", "trunnion_ac", machine=machine, links="near", passes="zlevel", stepover=7.0)
+    assert {"rewinds-between-cuts"} <= {one.code for one in result.findings} and not gouges(result)
+    assert nearest_to_box(result) > result.settings.links.clearance - 2.5
 
 
 @pytest.mark.thorough
 @some_in_core("links", ["over", "near"], kept=(1,))
 def test_rewinds_keep_the_whole_tool_off_too(tmp_path, links):
-    made = rewinding(tmp_path, links)
-    assert not gouges(made)
-    assert nearest_to_box(made) > made.settings.links.clearance - 2.5
+    result = rewinding(tmp_path, links)
+    assert not gouges(result)
+    assert nearest_to_box(result) > result.settings.links.clearance - 2.5
 
 
 def test_both_judges_see_a_rewind_that_only_looks_after_the_ball(tmp_path, monkeypatch):
     monkeypatch.setattr(rewind, "tool_keepout", ball_only)
-    made = rewinding(tmp_path, "near")
-    assert "holder-collision" in gouges(made)
-    assert nearest_to_box(made) < 0.0
+    result = rewinding(tmp_path, "near")
+    assert "holder-collision" in gouges(result)
+    assert nearest_to_box(result) < 0.0
 
 
 def ball_only(low, high, radius, clearance, body, axis):
@@ -193,17 +195,17 @@ def ball_only(low, high, radius, clearance, body, axis):
 def test_both_judges_see_a_holder_that_only_the_ball_looks_after(part, name, monkeypatch):
     monkeypatch.setattr(path, "tool_keepout", ball_only)
     monkeypatch.setattr(rewind, "tool_keepout", ball_only)
-    made = milled(part, name, links="over")
-    assert "holder-collision" in gouges(made)
-    assert nearest_to_box(made) < 0.0
+    result = milled(part, name, links="over")
+    assert "holder-collision" in gouges(result)
+    assert nearest_to_box(result) < 0.0
 
 
 def test_a_program_begins_and_ends_upright_however_its_passes_stand():
-    made = milled("tee", "trunnion_ac", passes="zlevel")
-    assert made.path.axis[[0, -1], 2].min() > -1e-4
+    result = milled("tee", "trunnion_ac", passes="zlevel")
+    assert result.path.axis[[0, -1], 2].min() > -1e-4
 
 
-def test_facets_that_look_down_further_than_asked_are_left_out():
+def test_facets_that_look_down_further_than_requested_are_left_out():
     mesh = PARTS["tee"]()
     up = mesh.normal[:, 2]
     for angle in (90.0, 106.0, 166.0, 180.0):

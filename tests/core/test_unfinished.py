@@ -130,20 +130,20 @@ ON_TRUNNION = {"machine": "trunnion_ac", "cutter": "ball:6", "spindle": "off"}
 
 def judged(mesh, **options):
     """Findings, figures and verdict of a part."""
-    made = job.prove(job.make(build_settings("mill", "part", {**ON_TRUNNION, **options}), mesh=mesh))
-    figures = job.figures(made)
-    return {one.code: one for one in made.findings}, summary(figures), verdict(figures, summary(figures))
+    result = job.prove(job.make(build_settings("mill", "part", {**ON_TRUNNION, **options}), mesh=mesh))
+    figures = job.figures(result)
+    return {one.code: one for one in result.findings}, summary(figures), verdict(figures, summary(figures))
 
 
 @some_in_core("rest", ["off", "on"], kept=(1,))
 @pytest.mark.parametrize("passes", ["planes", "scallop"])
 def test_passes_farther_apart_than_the_cutter_is_wide_leave_strips_and_are_never_safe(passes, rest):
     """On flat ground 20 mm apart a ball of 6 mm touches lines; what it sweeps to a hundredth is a millimetre."""
-    found, numbers, said = judged(step(), passes=passes, stepover=20, rest=rest)
+    found, numbers, message = judged(step(), passes=passes, stepover=20, rest=rest)
     strips = found["stepover-beyond-cutter"]
     assert (strips.value, strips.limit) == (20.0, 6.0) and "uncut" in found
-    assert numbers["unfinished_share"] > 0.8 and said.light.name == "AMBER"
-    assert "passes are farther apart than the cutter is wide" in said.text
+    assert numbers["unfinished_share"] > 0.8 and message.light.name == "AMBER"
+    assert "passes are farther apart than the cutter is wide" in message.text
 
 
 def test_passes_within_the_cutters_width_leave_scallops():
@@ -168,8 +168,8 @@ def test_hardly_more_on_hardly_anything_is_a_note(height, area, severity):
 @pytest.mark.parametrize(("uncut", "stays"), [(0.0, False), (40.0, False), (60.0, True)])
 def test_a_side_that_no_pass_touches_is_left_to_the_map_where_there_is_one(uncut, stays):
     side = report_finding(Code.SIDE_NOT_MACHINED, say("a side"), 100.0)
-    map_, told = rest_at([0.0], [1.0]), [report_finding(Code.UNCUT, say("rest"), uncut, unit="mm2")]
-    assert still_true((side,), None, map_, told) == ((side,) if stays else ())
+    map_, reported = rest_at([0.0], [1.0]), [report_finding(Code.UNCUT, say("rest"), uncut, unit="mm2")]
+    assert still_true((side,), None, map_, reported) == ((side,) if stays else ())
     assert still_true((side,), None, None, ()) == (side,)
 
 

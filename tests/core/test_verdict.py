@@ -37,7 +37,7 @@ def filleted():
 
 
 @pytest.fixture(scope="module")
-def made():
+def outcome():
     """Results by part and options, each made once."""
     kept = {}
 
@@ -51,60 +51,66 @@ def made():
     return mill
 
 
-def told(result_or_figures):
+def list_reported(result_or_figures):
     figures = (
         job.figures(result_or_figures) if isinstance(result_or_figures, job.Result) else result_or_figures
     )
     return verdict(figures, summary(figures))
 
 
-def test_entering_the_part_comes_before_every_proof(made):
+def test_entering_the_part_comes_before_every_proof(outcome):
     """A ball that is held upright cuts into the wall of a step: the machine keeps its path, and the part is
     scrap."""
-    result = made(step, tool_axis="fixed", stepover=1, gouge="report")
-    numbers, said = summary(job.figures(result)), told(result)
+    result = outcome(step, tool_axis="fixed", stepover=1, gouge="report")
+    numbers, message = summary(job.figures(result)), list_reported(result)
     assert numbers["proven"], "the path alone is proven"
     depth = result.gouge.cutter.depth * (result.draft.program.motion[1:] <= 1)
     places = int(((depth > 0) & ~np.append(False, depth[:-1] > 0)).sum())
-    assert said.light is Light.RED and numbers["overcut_places"] == places > 1
+    assert message.light is Light.RED and numbers["overcut_places"] == places > 1
     line = int(result.draft.program.line[depth.argmax() + 1])
-    assert said.text.startswith(
+    assert message.text.startswith(
         f"NOT SAFE: enters the part at {places} places, {depth.max():.3g} mm deep (NC line {line})"
     )
     assert not any(line.lstrip().startswith("Proven") for line in as_text(job.figures(result)).splitlines())
 
 
-def test_every_report_says_the_same_verdict(made, monkeypatch):
+def test_every_report_says_the_same_verdict(outcome, monkeypatch):
     monkeypatch.setattr(html_page, "plots", lambda *_: ())
-    figures = job.figures(made(step, tool_axis="fixed", stepover=1, gouge="report"))
-    said = told(figures)
+    figures = job.figures(outcome(step, tool_axis="fixed", stepover=1, gouge="report"))
+    message = list_reported(figures)
     record = json.loads(as_json(figures))["summary"]
-    assert (record["light"], record["verdict"], record["reasons"]) == ("red", said.text, list(said.reasons))
-    assert f'<p class="verdict bad">{said.text}</p>' in as_html(figures)
+    assert (record["light"], record["verdict"], record["reasons"]) == (
+        "red",
+        message.text,
+        list(message.reasons),
+    )
+    assert f'<p class="verdict bad">{message.text}</p>' in as_html(figures)
     assert (
-        " ".join(as_text(figures).split("\n\n")[0].splitlines()[1:]) == said.text and record["proven"] is True
+        " ".join(as_text(figures).split("\n\n")[0].splitlines()[1:]) == message.text
+        and record["proven"] is True
     )
 
 
-def test_the_defaults_keep_the_tolerance_and_stay_out_of_the_part(made):
+def test_the_defaults_keep_the_tolerance_and_stay_out_of_the_part(outcome):
     """The same two parts by default, and uncured: there the tool is far off its path, or deep in the part."""
     for part, more in ((filleted, {"direction": 90, "lead": 5}), (step, {"tool_axis": "fixed"})):
-        uncured, cured = (made(part, **more, **given) for given in ({**UNCURED, "gouge": "report"}, {}))
-        assert told(uncured).light is Light.RED
-        assert told(cured).light is not Light.RED, told(cured).text
+        uncured, cured = (outcome(part, **more, **given) for given in ({**UNCURED, "gouge": "report"}, {}))
+        assert list_reported(uncured).light is Light.RED
+        assert list_reported(cured).light is not Light.RED, list_reported(cured).text
         numbers = summary(job.figures(cured))
         assert numbers["proven"] and numbers["overcut_blocks"] == numbers["rapid_collision_blocks"] == 0
     assert (
-        summary(job.figures(made(filleted, direction=90, lead=5, **UNCURED)))["max_segment_deviation"] > 0.1
+        summary(job.figures(outcome(filleted, direction=90, lead=5, **UNCURED)))["max_segment_deviation"]
+        > 0.1
     )
 
 
 @pytest.mark.thorough
-def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
+def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(outcome):
     """A judge without trees: how deep densely set points of the part lie in the cutter, on all its real
     way."""
-    result, points = made(step, tool_axis="fixed"), dense_points(step(), 0.5)
-    uncured = made(step, tool_axis="fixed", **{**UNCURED, "gouge": "report"})
+    result, points = outcome(step, tool_axis="fixed"), dense_points(step(), 0.5)
+    uncured = outcome(step, tool_axis="fixed", **{**UNCURED, "gouge": "report"})
     for one, most in ((result, 0.0101), (uncured, np.inf)):
         course, body = (
             program_motion(one.draft.kinematics, one.draft.program),
@@ -115,13 +121,13 @@ def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
     assert deepest > 1.0, "the judge sees what the cure has cured"
 
 
-def test_post_divides_by_default_and_says_that_no_part_was_looked_at(made, tmp_path):
-    given = made(filleted, direction=90, lead=5, **UNCURED)
+def test_post_divides_by_default_and_says_that_no_part_was_looked_at(outcome, tmp_path):
+    given = outcome(filleted, direction=90, lead=5, **UNCURED)
     (tmp_path / "a.apt").write_bytes(write_apt(given.draft.path, given.draft.settings.cutter.cutter, "a"))
     posted = job.run(build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac"}))
     assert summary(job.figures(posted))["proven"] and summary(job.figures(given))["over_tolerance"] > 0
-    said = told(posted)
-    assert said.light is Light.AMBER and said.reasons[0] == "not checked against the part"
+    message = list_reported(posted)
+    assert message.light is Light.AMBER and message.reasons[0] == "not checked against the part"
 
 
 CALM = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [2, 0, 0, 0, 0.1]], float)
@@ -140,42 +146,47 @@ def found(severity, code="rewind", text="Something is so: do it.", **more):
 
 
 def test_green_says_what_is_proven_and_what_was_looked_at():
-    assert told(calm()).text == (
+    assert list_reported(calm()).text == (
         "SAFE: tolerance 0.01 mm held in all 2 feed blocks, proven; the cutter stays out of the part (no shank or holder given)."
     )
-    assert told(calm(inputs={"holder": "40x25"})).text.endswith("proven; the tool stays out of the part.")
-    assert told(calm(findings=(found(Severity.NOTE),))).light is Light.GREEN
+    assert list_reported(calm(inputs={"holder": "40x25"})).text.endswith(
+        "proven; the tool stays out of the part."
+    )
+    assert list_reported(calm(findings=(found(Severity.NOTE),))).light is Light.GREEN
 
 
-def test_what_is_open_is_amber_and_what_is_wrong_is_red_whatever_else_is_said():
-    unchecked = told(calm(gouge=None))
+def test_what_is_open_is_amber_and_what_is_wrong_is_red_whatever_else_is_stated():
+    unchecked = list_reported(calm(gouge=None))
     assert unchecked.light is Light.AMBER and unchecked.text == "CHECK: not checked against the part."
-    off = told(calm(findings=(found(Severity.WARNING, "spindle-off"), found(Severity.NOTE))))
+    off = list_reported(calm(findings=(found(Severity.WARNING, "spindle-off"), found(Severity.NOTE))))
     assert off.text == "CHECK: the spindle stays off."
     assert (
-        told(calm(findings=(found(Severity.WARNING),))).text
+        list_reported(calm(findings=(found(Severity.WARNING),))).text
         == "CHECK: a rotary axis turns back inside a cut, with the tool retracted."
     )
     wrong = calm(
         gouge=None,
         findings=(found(Severity.WARNING), found(Severity.ERROR, "limit", value=40.0, unit="deg", line=3)),
     )
-    assert told(wrong).text == "NOT SAFE: an axis leaves its limits (40 deg, NC line 3)."
+    assert list_reported(wrong).text == "NOT SAFE: an axis leaves its limits (40 deg, NC line 3)."
     assert (
-        told(table2()).text
+        list_reported(table2()).text
         == "NOT SAFE: 1 of 1 feed blocks leaves the path by up to 2.13 mm, 0.01 mm allowed (NC line 4)."
     )
-    assert told(by_hand(0.0301)).light is Light.AMBER and "not proven in 1 of 5" in told(by_hand(0.0301)).text
-    assert "nothing is proven" in told(empty()).text
+    assert (
+        list_reported(by_hand(0.0301)).light is Light.AMBER
+        and "not proven in 1 of 5" in list_reported(by_hand(0.0301)).text
+    )
+    assert "nothing is proven" in list_reported(empty()).text
 
 
-def test_what_has_no_words_of_its_own_is_told_by_its_code_with_value_and_line_and_never_by_its_text():
+def test_what_has_no_words_of_its_own_is_reported_by_its_code_with_value_and_line_and_never_by_its_text():
     given = {"value": 0.03, "line": 5}, {"value": 3.0, "unit": "1"}, {"value": 0.5, "unit": "mm"}
     errors = [
         found(Severity.ERROR, code, f"Text {code}.", **more)
         for code, more in zip(("arc-not-interpreted", "several-tools", "poor-fit"), given, strict=True)
     ]
-    assert told(calm(findings=tuple(errors))).reasons == (
+    assert list_reported(calm(findings=tuple(errors))).reasons == (
         "arcs that the reader cannot follow (NC line 5)",
         "the file changes tools, and the program cuts all of it with one",
         "the rows are off the best machine by more than rounding (0.5 mm)",
@@ -185,7 +196,7 @@ def test_what_has_no_words_of_its_own_is_told_by_its_code_with_value_and_line_an
     )
     assert of_cl.text == "CL file, line 11: The file changes tools: choose one."
     assert (
-        told(calm(findings=(of_cl,))).text
+        list_reported(calm(findings=(of_cl,))).text
         == "NOT SAFE: the file changes tools, and the program cuts all of it with one."
     )
 
@@ -194,7 +205,7 @@ def test_what_has_no_words_of_its_own_is_told_by_its_code_with_value_and_line_an
 def test_every_kind_of_finding_has_its_words(code):
     """As one clause of the verdict: of small letters, without a full stop, and not divided as the verdict
     divides its reasons."""
-    (reason,) = told(calm(findings=(found(Severity.WARNING, code),))).reasons
+    (reason,) = list_reported(calm(findings=(found(Severity.WARNING, code),))).reasons
     assert reason and not reason.endswith(".")
     assert code.severity is Severity.NOTE or not set(reason) & set(":;") or code is Code.SINGULAR_BLOCK
 
@@ -202,26 +213,26 @@ def test_every_kind_of_finding_has_its_words(code):
 def test_rewinds_are_one_reason_with_their_count():
     one = found(Severity.WARNING, "rewind", value=309.3, unit="deg", line=1458)
     all_of_them = found(Severity.WARNING, "rewinds", value=15.0, unit="1", line=1458)
-    assert told(calm(findings=(one, all_of_them))).reasons == (
+    assert list_reported(calm(findings=(one, all_of_them))).reasons == (
         "a rotary axis turns back inside cuts, 15 times",
     )
 
 
 def test_what_a_least_interval_leaves_is_a_height_and_not_the_interval():
     figures = calm(findings=(found(Severity.WARNING, "least-interval", value=6.708, unit="mm"),))
-    told = verdict(figures, summary(figures)).text
-    assert "no closer than the least interval, and up to 6.708 mm high stays between them" in told
+    list_reported = verdict(figures, summary(figures)).text
+    assert "no closer than the least interval, and up to 6.708 mm high stays between them" in list_reported
 
 
 def test_errors_are_named_by_what_they_do_to_the_part_and_counted_beyond_three():
     codes = ("limit", "deviation-over-tolerance", "overcut", "axis-not-reachable", "rapid-collision")
     errors = tuple(found(Severity.ERROR, code, f"It is {code}. Help.", value=0.5, line=7) for code in codes)
-    said = told(replace(by_hand(), findings=errors))
-    assert said.reasons[0] == "enters the part at 1 place, 0.5 mm deep (NC line 7)"
-    assert said.reasons[1].startswith("hits the part between passes") and said.reasons[2].startswith(
+    message = list_reported(replace(by_hand(), findings=errors))
+    assert message.reasons[0] == "enters the part at 1 place, 0.5 mm deep (NC line 7)"
+    assert message.reasons[1].startswith("hits the part between passes") and message.reasons[2].startswith(
         "2 of 5 feed blocks leave"
     )
-    assert said.text.endswith("; and 2 more.") and len(said.reasons) == 5
+    assert message.text.endswith("; and 2 more.") and len(message.reasons) == 5
 
 
 # ---------------------------------------------------------------------------- what stays, and what is settled
@@ -243,17 +254,20 @@ def test_a_part_smaller_than_the_cutter_may_be_in_another_unit():
         "mm",
     )
     assert "metres (90 mm)" in found.text and "inches (2.286 mm)" in found.text
-    assert told(result).light is Light.AMBER and "in another unit (0.09 mm)" in told(result).text
+    assert (
+        list_reported(result).light is Light.AMBER
+        and "in another unit (0.09 mm)" in list_reported(result).text
+    )
     assert "unit-suspected" in {one["code"] for one in json.loads(as_json(job.figures(result)))["findings"]}
     assert "unit-suspected" in as_text(job.figures(result))
 
 
-def test_a_part_larger_than_the_cutter_is_not_suspected(made):
-    assert "unit-suspected" not in {one.code for one in made(step, tool_axis="fixed").findings}
+def test_a_part_larger_than_the_cutter_is_not_suspected(outcome):
+    assert "unit-suspected" not in {one.code for one in outcome(step, tool_axis="fixed").findings}
 
 
-@pytest.mark.parametrize(("how", "told_of"), [("off", True), ("report", False), ("lift", False)])
-def test_what_the_check_has_settled_is_withdrawn(how, told_of, monkeypatch):
+@pytest.mark.parametrize(("how", "reported_of"), [("off", True), ("report", False), ("lift", False)])
+def test_what_the_check_has_settled_is_withdrawn(how, reported_of, monkeypatch):
     """A groove of 3 mm radius under a ball of 4. What the closing of co-edges can only suspect, the check of
     the program knows: after it nothing says any more that the tool may cut into the part; and without it no
     depth is told, for none is known."""
@@ -262,17 +276,17 @@ def test_what_the_check_has_settled_is_withdrawn(how, told_of, monkeypatch):
     settings = build_settings("mill", "part.stl", {**MACHINE, **given, "gouge": how})
     found = job.prove(job.make(settings, mesh=round_groove(3.0, 32, side=12.0, length=12.0))).findings
     suspected = [one for one in found if one.code == "surface-tighter-than-cutter"]
-    assert bool(suspected) is told_of
+    assert bool(suspected) is reported_of
     assert all(one.value is None and "not known" in one.text and " mm" not in one.text for one in suspected)
 
 
-def test_the_share_that_stays_unfinished_comes_first(made):
+def test_the_share_that_stays_unfinished_comes_first(outcome):
     """Walls of a block, 20 deg at most from Z: of the top, 40 x 40, and the four sides, 40 x 20 each, only
     the top is cut."""
-    result = made(block, max_axis_angle=20)
-    said, numbers = told(result), summary(job.figures(result))
+    result = outcome(block, max_axis_angle=20)
+    message, numbers = list_reported(result), summary(job.figures(result))
     assert numbers["unfinished_share"] == pytest.approx(3200.0 / 4800.0)
-    assert said.text.startswith("CHECK: 67 % of the surface to be milled stays unfinished;")
+    assert message.text.startswith("CHECK: 67 % of the surface to be milled stays unfinished;")
 
 
 def block():
@@ -285,5 +299,5 @@ def sheet():
     )
 
 
-def test_of_a_part_that_is_finished_no_share_is_told(made):
-    assert "unfinished" not in told(made(sheet)).text
+def test_of_a_part_that_is_finished_no_share_is_reported(outcome):
+    assert "unfinished" not in list_reported(outcome(sheet)).text

@@ -97,13 +97,13 @@ def test_what_lies_under_a_lip_is_left_out_and_not_lifted_over_the_part(nodes, m
     """The ball stands freely at the sides of the slot's floor, under its lips, but nothing can be drawn out
     within 25 deg."""
     take_nodes(monkeypatch, nodes)
-    made = milled(t_slot(), cutter="ball:6:8", max_axis_angle=25, passes="planes", stepover=3.0)
-    codes = {one.code: one for one in made.findings}
+    result = milled(t_slot(), cutter="ball:6:8", max_axis_angle=25, passes="planes", stepover=3.0)
+    codes = {one.code: one for one in result.findings}
     assert codes["no-way-out"].value > 50.0 and "get out along its axis" in codes["no-way-out"].text
     lifted = codes["lifted"].value if "lifted" in codes else 0.0
     assert lifted < 3.0, "more than out of a corner"
-    floor = np.isclose(made.offset.point[:, 2], 10.0) & (np.abs(made.offset.point[:, 0]) < 20.0)
-    assert floor.any() and (np.abs(made.offset.point[floor, 0]) < 9.0).all()
+    floor = np.isclose(result.offset.point[:, 2], 10.0) & (np.abs(result.offset.point[:, 0]) < 20.0)
+    assert floor.any() and (np.abs(result.offset.point[floor, 0]) < 9.0).all()
 
 
 def test_only_what_lies_between_ways_out_is_kept():
@@ -115,8 +115,8 @@ def test_only_what_lies_between_ways_out_is_kept():
     assert not len(select_rows_with_way_out(np.full(3, standing), np.zeros(3, np.int64))) and none == 0
 
 
-def test_a_contact_is_free_where_all_its_rows_are_and_none_is_asked_in_vain(monkeypatch):
-    random, asked_rows = np.random.default_rng(3), []
+def test_a_contact_is_free_where_all_its_rows_are_and_none_is_requested_in_vain(monkeypatch):
+    random, wanted_rows = np.random.default_rng(3), []
     contact = np.append(
         np.repeat(np.arange(200), random.integers(1, 5, 200)), 0
     )  # the end of a closed pass is its start
@@ -126,19 +126,19 @@ def test_a_contact_is_free_where_all_its_rows_are_and_none_is_asked_in_vain(monk
     known = Contacts(stand[first], first, first, normal[first], contact, stand, normal, fits)
 
     def answered(_reacher, _tree, stand, *_):
-        asked_rows.append(len(stand))
+        wanted_rows.append(len(stand))
         return stand[:, 0] > -0.5
 
     monkeypatch.setattr(auto_axis, "are_free", answered)
-    asked = random.random(200) < 0.8
-    free = known.free(np.tile(UP, (200, 1)), asked, SimpleNamespace(cutter=Cutter(6.0)), None, None)
+    wanted = random.random(200) < 0.8
+    free = known.free(np.tile(UP, (200, 1)), wanted, SimpleNamespace(cutter=Cutter(6.0)), None, None)
     row_free = (stand[:, 0] > -0.5) & fits & (normal[:, 2] > 0)
-    assert free.tolist() == [bool(asked[k] and row_free[contact == k].all()) for k in range(200)]
-    maybe = [k for k in range(200) if asked[k] and (fits & (normal[:, 2] > 0))[contact == k].all()]
-    assert asked_rows == [len(maybe), sum((contact == k).sum() - 1 for k in maybe if row_free[first[k]])]
+    assert free.tolist() == [bool(wanted[k] and row_free[contact == k].all()) for k in range(200)]
+    maybe = [k for k in range(200) if wanted[k] and (fits & (normal[:, 2] > 0))[contact == k].all()]
+    assert wanted_rows == [len(maybe), sum((contact == k).sum() - 1 for k in maybe if row_free[first[k]])]
 
 
-def test_axes_keep_room_to_the_limits_and_their_turns_are_asked_too():
+def test_axes_keep_room_to_the_limits_and_their_turns_are_requested_too():
     kinematics = trunnion(60.0)
     narrow = with_room(kinematics, math.radians(2.0))
     lean = np.radians([57.9, 58.1, 60.1])
@@ -182,12 +182,12 @@ def turns_by_dense_samples(name, count=20_000):
 
 
 @pytest.mark.parametrize("name", ["trunnion_ac", "trunnion_bc"])
-def test_a_turn_that_leaves_the_limits_anywhere_is_told(name):
-    told, dense = turns_by_dense_samples(name)
-    assert not (told & ~dense).any() and (told[dense]).mean() > 0.999 and not told.all()
+def test_a_turn_that_leaves_the_limits_anywhere_is_reported(name):
+    reported, dense = turns_by_dense_samples(name)
+    assert not (reported & ~dense).any() and (reported[dense]).mean() > 0.999 and not reported.all()
 
 
 def test_a_few_places_of_a_turn_would_miss_where_it_leaves_the_limits(monkeypatch):
     monkeypatch.setattr(limits_module, "_find_extremes", lambda *_: ())
-    told, dense = turns_by_dense_samples("trunnion_ac")
-    assert (told & ~dense).any()
+    reported, dense = turns_by_dense_samples("trunnion_ac")
+    assert (reported & ~dense).any()

@@ -33,8 +33,8 @@ FILES = ["-o", "a.ngc", "--cl", "a.apt", "--blocks", "a.csv", "--report", "a.jso
 @pytest.fixture
 def folder(tmp_path):
     """A folder with a coarse dome, whose top passes the pole."""
-    made = ROOT / "resources" / "examples" / "make_parts.py"
-    spec = importlib.util.spec_from_file_location("make_parts", made)
+    result = ROOT / "resources" / "examples" / "make_parts.py"
+    spec = importlib.util.spec_from_file_location("make_parts", result)
     parts = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(parts)
     write_stl(from_faces(*parts.dome(radius=20.0, rings=6, sectors=24)), tmp_path / "dome.stl")

@@ -45,10 +45,10 @@ def beside(count=1, find=command, patience=0.0):
 @pytest.fixture
 def pool(started):
     """One whose worker is ready: nothing is begun here any more."""
-    made = beside()
-    wait_for_worker(made)
-    yield made
-    made.stop()
+    result = beside()
+    wait_for_worker(result)
+    yield result
+    result.stop()
 
 
 def wait_for_worker(pool):
@@ -110,9 +110,11 @@ def test_tasks_are_done_by_a_process_of_its_own_and_come_in_their_order(pool, st
 
 
 def test_what_a_task_raises_comes_back_and_the_worker_goes_on(pool):
-    with pytest.raises(ReachError, match="task 3") as told:
+    with pytest.raises(ReachError, match="task 3") as reported:
         pool.submit(refuse, 3).result(LIMIT)
-    assert told.value.value == 3 and pool.submit(os.getpid).result(LIMIT) != os.getpid() and pool.died == 0
+    assert (
+        reported.value.value == 3 and pool.submit(os.getpid).result(LIMIT) != os.getpid() and pool.died == 0
+    )
 
 
 def test_what_a_task_prints_is_no_answer(pool):
@@ -139,13 +141,13 @@ def test_what_cannot_be_sent_is_done_here(pool):
 
 
 def test_short_work_starts_no_process(started):
-    asked = []
-    pool = beside(find=lambda: asked.append(1), patience=600.0)
+    wanted = []
+    pool = beside(find=lambda: wanted.append(1), patience=600.0)
     assert spread(tell_place, "common", [1, 2], pool, silent, "") == [
         ("common", task, os.getpid()) for task in (1, 2)
     ]
     pool.stop()
-    assert not asked and not started
+    assert not wanted and not started
 
 
 @pytest.mark.parametrize(
@@ -219,15 +221,15 @@ def test_a_worker_ends_with_its_parent_in_the_middle_of_a_task(tmp_path):
 
 
 def test_how_far_a_task_is_in_another_process_is_heard(pool, tmp_path):
-    told = []
+    reported = []
 
     def hear(stage, fraction):
-        told.append(fraction)
+        reported.append(fraction)
         if fraction == 0.5:
             (tmp_path / "heard").touch()
 
     spread(half_done, str(tmp_path), ["task"], pool, hear, "stage")
-    assert 0.5 in told and told == sorted(told) and told[-1] == 1.0
+    assert 0.5 in reported and reported == sorted(reported) and reported[-1] == 1.0
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals and pipes of POSIX")
@@ -252,10 +254,10 @@ print(pool.submit(operator.add, 2, 3).result(60), pool.died)"""
 
 def test_a_package_in_a_zip_is_found(tmp_path):
     archive = tmp_path / "add-on.zip"
-    with zipfile.ZipFile(archive, "w") as made:
+    with zipfile.ZipFile(archive, "w") as result:
         for folder in ("freecad_fiveaxis", "freecad_fiveaxis/core", "freecad_fiveaxis/core/base"):
             for file in (ROOT / folder).glob("*.py"):
-                made.write(file, file.relative_to(ROOT))
+                result.write(file, file.relative_to(ROOT))
     code = (
         f"import sys\nsys.path.insert(0, {str(archive)!r})\nfrom freecad_fiveaxis.core.base import workers\n"
     )

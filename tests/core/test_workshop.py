@@ -22,9 +22,9 @@ def run(*words):
 def files(tmp_path_factory):
     """The cap's CL path and its program, by a machine with a rotary head."""
     folder = tmp_path_factory.mktemp("cap")
-    made = milled("head_b_table_c", stepover=12.0, rings=8, tool_length=90.0, origin="12,-7,5")
-    (folder / "cap.apt").write_bytes(write_apt(made.path, made.settings.cutter.cutter, "cap"))
-    (folder / "cap.ngc").write_bytes(made.nc)
+    result = milled("head_b_table_c", stepover=12.0, rings=8, tool_length=90.0, origin="12,-7,5")
+    (folder / "cap.apt").write_bytes(write_apt(result.path, result.settings.cutter.cutter, "cap"))
+    (folder / "cap.ngc").write_bytes(result.nc)
     return folder / "cap.apt", folder / "cap.ngc"
 
 
@@ -37,8 +37,10 @@ def test_a_posted_path_gives_the_machine_back(files, tmp_path, capsys):
         run("recover", *files, *PLACE, "-o", out, "--report", report, "--report", tmp_path / "r.html")
         == cli.DONE
     )
-    said = capsys.readouterr().out
-    assert "head-table, C nearer to the work turning about Z, B about Y" in said and f"wrote {out}" in said
+    message = capsys.readouterr().out
+    assert (
+        "head-table, C nearer to the work turning about Z, B about Y" in message and f"wrote {out}" in message
+    )
     found, truth = load_machine(out), load_machine("head_b_table_c")
     assert line_errors(found, truth, Setup((12.0, -7.0, 5.0), 90.0)).max() < 1e-4
     record = json.loads(report.read_text())
@@ -65,13 +67,13 @@ def test_another_machine_is_named_and_the_exit_code_says_so(files, tmp_path, cap
         run("recover", *files, *PLACE, "--machine", "fork_head_bc", "-o", tmp_path / "m.fcm")
         == cli.DONE_WITH_ERRORS
     )
-    said = " ".join(capsys.readouterr().out.split())
-    assert "The machine that the post had in mind is head-table, fork_head_bc is head-head" in said
+    message = " ".join(capsys.readouterr().out.split())
+    assert "The machine that the post had in mind is head-table, fork_head_bc is head-head" in message
     assert (tmp_path / "m.fcm").exists()
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         ((), "no machine file named; give one with -o"),
         (("-o", "m.ngc"), "does not end in .fcm"),
@@ -79,11 +81,11 @@ def test_another_machine_is_named_and_the_exit_code_says_so(files, tmp_path, cap
         (("-o", "m.fcm", "--report", "r.pdf"), "needs one of the endings"),
     ],
 )
-def test_what_cannot_be_used_is_said_before_the_work(words, said, files, tmp_path, capsys, monkeypatch):
+def test_what_cannot_be_used_is_stated_before_the_work(words, message, files, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "there.fcm").write_text("mine")
     assert run("recover", *files, *words) == cli.UNUSABLE
-    assert said in capsys.readouterr().err
+    assert message in capsys.readouterr().err
     assert (tmp_path / "there.fcm").read_text() == "mine" and not (tmp_path / "m.fcm").exists()
 
 
@@ -123,7 +125,7 @@ def test_prove_signs_writes_a_program_and_a_sheet(controller, tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (("--machine", "trunnion_ac"), "no NC file named"),
         (("-o", "p.ngc"), "no machine given"),
@@ -132,7 +134,7 @@ def test_prove_signs_writes_a_program_and_a_sheet(controller, tmp_path, capsys):
         (("--machine", "trunnion_ac", "-o", "p.ngc", "--origin", "0,0,495"), "would leave its limits"),
     ],
 )
-def test_prove_signs_refuses_what_it_cannot_do(words, said, tmp_path, capsys, monkeypatch):
+def test_prove_signs_refuses_what_it_cannot_do(words, message, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert run("prove-signs", *words) == cli.UNUSABLE
-    assert said in capsys.readouterr().err and not (tmp_path / "p.ngc").exists()
+    assert message in capsys.readouterr().err and not (tmp_path / "p.ngc").exists()

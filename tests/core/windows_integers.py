@@ -38,26 +38,28 @@ def typed(given):
     )
 
 
-def made_of_values(function):
-    def made(*given, **how):
+def of_values(function):
+    def make_result(*given, **how):
         array, ours = function(*given, **how), of_the_core()
-        asked = how.get("dtype", given[1] if len(given) > 1 and function is not arange else None)
+        wanted = how.get("dtype", given[1] if len(given) > 1 and function is not arange else None)
         values = given if function is arange else given[:1]
         return (
-            narrow(array) if ours and (asked is int or (asked is None and not typed(list(values)))) else array
+            narrow(array)
+            if ours and (wanted is int or (wanted is None and not typed(list(values))))
+            else array
         )
 
-    return made
+    return make_result
 
 
 def filled(function, place):
-    def made(*given, **how):
+    def make_result(*given, **how):
         array, ours = function(*given, **how), of_the_core()
-        asked = how.get("dtype", given[place] if len(given) > place else None)
-        plain = asked is None and function is full and type(given[1]) is int
-        return narrow(array) if ours and (asked is int or plain) else array
+        wanted = how.get("dtype", given[place] if len(given) > place else None)
+        plain = wanted is None and function is full and type(given[1]) is int
+        return narrow(array) if ours and (wanted is int or plain) else array
 
-    return made
+    return make_result
 
 
 def summed(values, *given, **how):
@@ -67,7 +69,7 @@ def summed(values, *given, **how):
 
 
 arange, cumsum, full = np.arange, np.cumsum, np.full
-np.arange, np.array, np.asarray = (made_of_values(function) for function in (np.arange, np.array, np.asarray))
+np.arange, np.array, np.asarray = (of_values(function) for function in (np.arange, np.array, np.asarray))
 np.zeros, np.ones, np.empty, np.full = (
     filled(*one) for one in ((np.zeros, 1), (np.ones, 1), (np.empty, 1), (np.full, 2))
 )

@@ -30,7 +30,7 @@ class Flaw:
     """A file that is neither taken nor refused, and what came instead."""
 
     data: bytes
-    said: str
+    message: str
 
 
 @contextlib.contextmanager

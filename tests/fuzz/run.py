@@ -33,9 +33,9 @@ def main() -> int:
     parser.add_argument(
         "target", nargs="*", default=sorted(TARGETS), help=f"of {', '.join(sorted(TARGETS))} [all]"
     )
-    asked = parser.parse_args()
-    share = 60.0 * asked.minutes / len(asked.target)
-    return int(sum(_fuzz(name, asked.seed, share) for name in asked.target) > 0)
+    wanted = parser.parse_args()
+    share = 60.0 * wanted.minutes / len(wanted.target)
+    return int(sum(_fuzz(name, wanted.seed, share) for name in wanted.target) > 0)
 
 
 def _fuzz(name: str, seed: int, seconds: float) -> int:
@@ -45,7 +45,7 @@ def _fuzz(name: str, seed: int, seconds: float) -> int:
             for flaw in hunt(TARGETS[name], seed + runs, BATCH, Path(folder)):
                 runs += 1
                 if flaw is not None:
-                    flaws.setdefault(flaw.said.strip().split("\n")[-1], flaw)
+                    flaws.setdefault(flaw.message.strip().split("\n")[-1], flaw)
                 if time.monotonic() >= end:
                     break
     for number, flaw in enumerate(flaws.values()):
@@ -57,7 +57,7 @@ def _fuzz(name: str, seed: int, seconds: float) -> int:
 def _keep(name: str, number: int, flaw: Flaw) -> None:
     OUT.mkdir(parents=True, exist_ok=True)
     (OUT / f"{name}-{number}{TARGETS[name].ending}").write_bytes(flaw.data)
-    (OUT / f"{name}-{number}.said.txt").write_text(flaw.said)
+    (OUT / f"{name}-{number}.said.txt").write_text(flaw.message)
 
 
 if __name__ == "__main__":

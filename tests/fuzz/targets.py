@@ -143,7 +143,7 @@ def _command(path: Path) -> object:
     words = path.read_bytes().decode("utf-8", "surrogateescape").split("\n")
     here = Path.cwd()
     os.chdir(path.parent)  # for a spoilt name of an output has no folder of its own
-    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as message:
         try:
             code = main(
                 [
@@ -156,7 +156,7 @@ def _command(path: Path) -> object:
         finally:
             os.chdir(here)
     if code not in (0, 1, 2):
-        raise AssertionError(f"exit code {code}: {said.getvalue()}")
+        raise AssertionError(f"exit code {code}: {message.getvalue()}")
     return code
 
 

@@ -23,13 +23,13 @@ def test_seeds_and_spoilt_copies_are_taken_or_refused_in_one_line(name, tmp_path
         hunt(target, 7, RUNS.get(name, 25), tmp_path)
     )
     found = [flaw for flaw in flaws if flaw is not None]
-    assert not found, f"{len(found)}: {found[0].said}\n{found[0].data!r}"
+    assert not found, f"{len(found)}: {found[0].texts}\n{found[0].data!r}"
 
 
 def test_what_is_neither_taken_nor_refused_is_seen(tmp_path):
-    def said(read, seconds=5.0):
+    def message(read, seconds=5.0):
         flaw = tried(Target((b"",), read, ".nc"), b"G0 X1", tmp_path, seconds)
-        return None if flaw is None else flaw.said
+        return None if flaw is None else flaw.message
 
     def raises(error):
         def read(_path):
@@ -41,11 +41,11 @@ def test_what_is_neither_taken_nor_refused_is_seen(tmp_path):
         while True:
             pass
 
-    assert said(lambda path: path.read_bytes()) is None and said(raises(FileError("no", "p"))) is None
-    assert "ZeroDivisionError" in said(lambda _path: 1 / 0) and "several lines" in said(
+    assert message(lambda path: path.read_bytes()) is None and message(raises(FileError("no", "p"))) is None
+    assert "ZeroDivisionError" in message(lambda _path: 1 / 0) and "several lines" in message(
         raises(FileError("a\nb", "p"))
     )
-    assert "SystemExit" in said(raises(SystemExit(3))) and "more than 0.1 s" in said(hangs, 0.1)
+    assert "SystemExit" in message(raises(SystemExit(3))) and "more than 0.1 s" in message(hangs, 0.1)
 
 
 def test_the_same_seed_spoils_the_same_way_and_all_seeds_are_spoilt():

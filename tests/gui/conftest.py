@@ -606,7 +606,7 @@ class Answer:
     """Waits for a modal dialog and answers it. `said`: the texts of those that it met."""
 
     def __init__(self, answer, limit):
-        self.said = []
+        self.texts = []
         self._answer, self._end = answer, time.monotonic() + limit
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._look)
@@ -626,7 +626,7 @@ class Answer:
         if dialog is None or isinstance(dialog, QtWidgets.QProgressDialog) or not dialog.isVisible():
             return
         self.stop()
-        self.said.append(_text_of(dialog))
+        self.texts.append(_text_of(dialog))
         if callable(self._answer):
             self._answer(dialog)
         else:
@@ -654,15 +654,15 @@ def modal():
 
     Gives an Answer whose `said` holds the text of the dialog it met (empty: none came).
     """
-    made = []
+    result = []
 
     def arm(answer="OK", limit=60):
-        made.append(Answer(answer, limit))
-        return made[-1]
+        result.append(Answer(answer, limit))
+        return result[-1]
 
-    arm.made = made
+    arm.dialogs = result
     yield arm
-    for answer in made:
+    for answer in result:
         answer.stop()
 
 
@@ -675,7 +675,7 @@ def _nobody_left_waiting(request):
     def look():
         dialog = QtWidgets.QApplication.activeModalWidget()
         armed = "modal" in request.fixturenames and any(
-            a.waiting for a in request.getfixturevalue("modal").made
+            a.waiting for a in request.getfixturevalue("modal").dialogs
         )
         if not isinstance(dialog, QtWidgets.QMessageBox) or armed:
             seen.clear()

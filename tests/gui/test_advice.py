@@ -32,7 +32,7 @@ def panel(doc, pump, monkeypatch):
 
 
 @pytest.mark.usefixtures("whole_screen")
-def test_it_is_offered_tried_told_and_taken_over(doc, panel, field, click, pump, until, screenshot):
+def test_it_is_offered_tried_reported_and_taken_over(doc, panel, field, click, pump, until, screenshot):
     offer = panel.advice_offer
     assert offer.isHidden()
     assert panel.calculate() and not offer.isHidden() and offer.line.isHidden() and offer.use.isHidden()

@@ -42,7 +42,7 @@ def posted(dome, doc, tmp_path):
     return first, second
 
 
-def said(panel):
+def read_message(panel):
     return panel.options.read_values()
 
 
@@ -58,12 +58,12 @@ def test_the_newest_posted_program_its_machine_its_tool_and_its_solid_are_propos
     screenshot("audit_with_part")
     panel_button("OK", 500)
     panel_closed()
-    made = doc.Audit
-    assert made.Part is dome and made.NCFile == str(tmp_path / "first.nc") and doc.UndoCount == 1
-    assert (made.Machine, made.Controller, made.Tolerance.Value) == ("trunnion_bc", "fanuc", 0.02)
-    assert tuple(made.Origin) == (0, 0, 50) and tuple(made.WorkZero) == (0, 0, 20)
-    assert made.CutterDiameter.Value == 6 and made.Holder == "30x40"
-    assert not any("too deep" in text for text in made.Findings), (
+    result = doc.Audit
+    assert result.Part is dome and result.NCFile == str(tmp_path / "first.nc") and doc.UndoCount == 1
+    assert (result.Machine, result.Controller, result.Tolerance.Value) == ("trunnion_bc", "fanuc", 0.02)
+    assert tuple(result.Origin) == (0, 0, 50) and tuple(result.WorkZero) == (0, 0, 20)
+    assert result.CutterDiameter.Value == 6 and result.Holder == "30x40"
+    assert not any("too deep" in text for text in result.Findings), (
         "where it is milled, the program fits the solid"
     )
 
@@ -85,14 +85,17 @@ def test_of_a_selected_path_its_own_file_is_proposed(
 def test_a_file_that_is_gone_is_not_proposed(posted, doc, tmp_path):
     (tmp_path / "first.nc").unlink()
     panel = audit.create(doc)
-    assert said(panel)["nc_file"] == str(tmp_path / "second.ngc") and said(panel)["machine"] == "trunnion_ac"
+    assert (
+        read_message(panel)["nc_file"] == str(tmp_path / "second.ngc")
+        and read_message(panel)["machine"] == "trunnion_ac"
+    )
     panel.reject()
     (tmp_path / "second.ngc").unlink()
     panel = audit.create(doc)
-    assert said(panel)["nc_file"] == "" and said(panel)["part"] is None
+    assert read_message(panel)["nc_file"] == "" and read_message(panel)["part"] is None
     panel.reject()
     panel = audit.create(doc, [posted[0]])
-    assert said(panel)["nc_file"] == "" and said(panel)["machine"] == "trunnion_bc", (
+    assert read_message(panel)["nc_file"] == "" and read_message(panel)["machine"] == "trunnion_bc", (
         "what the path says without a file"
     )
     panel.reject()
@@ -108,8 +111,11 @@ def test_what_the_user_typed_stays_whatever_he_chooses_next(
     choose(field("part"), "none, or a file")
     choose(field("machine"), "trunnion_ac")
     choose(field("part"), "Dome")
-    assert said(panel)["nc_file"] == str(tmp_path / "own.nc") and said(panel)["machine"] == "trunnion_ac"
-    assert said(panel)["part"] is dome
+    assert (
+        read_message(panel)["nc_file"] == str(tmp_path / "own.nc")
+        and read_message(panel)["machine"] == "trunnion_ac"
+    )
+    assert read_message(panel)["part"] is dome
     panel.reject()
 
 
@@ -129,7 +135,7 @@ def test_solids_and_meshes_can_be_chosen_and_a_part_in_place_of_a_file(
 def test_another_solid_puts_the_audit_out_of_date_and_its_panel_keeps_the_part(
     doc, dome, posted, pump, until, field
 ):
-    made = app.audit(
+    result = app.audit(
         doc,
         doc.NCOutput.File,
         "trunnion_bc",
@@ -138,14 +144,14 @@ def test_another_solid_puts_the_audit_out_of_date_and_its_panel_keeps_the_part(
         work_zero=(0, 0, 20),
         cutter="ball:6:30",
     )
-    before = made.Fingerprint
+    before = result.Fingerprint
     dome.Radius = 22
     doc.recompute()
-    assert made.Fingerprint != before and any("too deep into the part" in text for text in made.Findings)
-    panel = audit.edit(made)
+    assert result.Fingerprint != before and any("too deep into the part" in text for text in result.Findings)
+    panel = audit.edit(result)
     pump(300)
-    assert said(panel)["part"] is dome and not panel.stale
+    assert read_message(panel)["part"] is dome and not panel.stale
     panel.options.fields["part"].show_value(None)
-    assert panel.stale and panel.calculate() and made.Part is None
+    assert panel.stale and panel.calculate() and result.Part is None
     panel.reject()
-    assert made.Part is dome
+    assert result.Part is dome

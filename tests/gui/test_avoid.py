@@ -21,13 +21,13 @@ COARSE = {
 @pytest.fixture
 def step(doc):
     """Two floors side by side: z = 10 up to x = 10, z = 5 beyond it; from above in the view."""
-    made = doc.addObject("Part::Feature", "Step")
-    made.Shape = Part.makeBox(20, 20, 5).fuse(Part.makeBox(10, 20, 10)).removeSplitter().Solids[0]
+    result = doc.addObject("Part::Feature", "Step")
+    result.Shape = Part.makeBox(20, 20, 5).fuse(Part.makeBox(10, 20, 10)).removeSplitter().Solids[0]
     doc.recompute()
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
     doc.clearUndos()
-    return made
+    return result
 
 
 def face_at(obj, **middle):
@@ -73,14 +73,14 @@ def pick_until_lit(field, row, click, pump, until):
 
 def low_cuts(path):
     """How many contacts of the path lie on the low floor, work frame and document being one."""
-    made = results.result_of(path).draft.path
-    return int((made.tip[made.motion == 0][:, 2] < 7.0).sum())
+    result = results.result_of(path).draft.path
+    return int((result.tip[result.motion == 0][:, 2] < 7.0).sum())
 
 
 def nearest_low(path):
     """The least X, mm, of contacts on the low floor."""
-    made = results.result_of(path).draft.path
-    tip = made.tip[made.motion == 0]
+    result = results.result_of(path).draft.path
+    tip = result.tip[result.motion == 0]
     return tip[np.abs(tip[:, 2] - 5.0) < 0.05, 0].min()
 
 
@@ -139,12 +139,14 @@ def test_without_faces_to_avoid_there_is_no_field_of_their_allowance(step, panel
     panel.reject()
 
 
-def test_what_is_selected_wrongly_is_told_and_the_list_stays(doc, step, panel, field, select, click, pump):
+def test_what_is_selected_wrongly_is_reported_and_the_list_stays(
+    doc, step, panel, field, select, click, pump
+):
     other = doc.addObject("Part::Box", "Other")
     doc.recompute()
     avoid = panel.options.fields["avoid"]
     avoid.show_value(["Face1"])
-    for chosen, said in (
+    for chosen, message in (
         ((step, "Edge1"), "Edge1 is no face: select faces of Step"),
         ((other, "Face1"), "Face1 is a face of Other: select faces of Step"),
         ((step,), "Step is no face"),
@@ -153,7 +155,7 @@ def test_what_is_selected_wrongly_is_told_and_the_list_stays(doc, step, panel, f
         click(field("avoid_add"))
         pump(50)
         assert (
-            said in avoid.error.text()
+            message in avoid.error.text()
             and avoid.error.isVisibleTo(avoid.error.parentWidget())
             and avoid.value() == ("Face1",)
         )
@@ -198,7 +200,7 @@ def test_rows_are_removed_cancel_and_undo_take_back(
     assert results.nc_of(path) == nc and not results.out_of_date(path)
 
 
-def test_all_faces_and_a_face_that_is_gone_are_told_in_the_panel(doc, step, panel, pump):
+def test_all_faces_and_a_face_that_is_gone_are_reported_in_the_panel(doc, step, panel, pump):
     every = [f"Face{at + 1}" for at in range(len(step.Shape.Faces))]
     panel.options.show_options({"avoid": every})
     assert not panel.calculate()

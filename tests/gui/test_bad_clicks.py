@@ -18,13 +18,13 @@ def _preferences(parameters, tmp_path):
 
 @pytest.fixture
 def box(doc):
-    made = doc.addObject("Part::Box", "Box")
-    made.Length = made.Width = 20
+    result = doc.addObject("Part::Box", "Box")
+    result.Length = result.Width = 20
     doc.recompute()
     view = FreeCADGui.getDocument(doc.Name).ActiveView
     view.viewIsometric()
     view.fitAll()
-    return made
+    return result
 
 
 @pytest.fixture
@@ -60,8 +60,8 @@ def test_nothing_selected_says_what_to_select(command, box, doc, press, modal, u
     FreeCADGui.Selection.clearSelection()
     answer = modal("OK")
     press(command)
-    until(lambda: answer.said, 20000, "what to select")
-    assert answer.said == [
+    until(lambda: answer.texts, 20000, "what to select")
+    assert answer.texts == [
         "Nothing is selected: select a solid, faces of a solid, a body, a compound of solids, or a mesh."
     ]
     assert [obj.Name for obj in doc.Objects] == ["Box"]
@@ -82,10 +82,10 @@ def test_a_sketch_says_what_to_select(doc, select, press, modal, screenshot, unt
 
     answer = modal(look)
     press("FiveAxis_Toolpath")
-    until(lambda: answer.said, 20000, "what to select")
-    assert len(answer.said) == 1
-    assert "a sketch" in answer.said[0]
-    assert "select a solid" in answer.said[0]
+    until(lambda: answer.texts, 20000, "what to select")
+    assert len(answer.texts) == 1
+    assert "a sketch" in answer.texts[0]
+    assert "select a solid" in answer.texts[0]
     assert [obj.Name for obj in doc.Objects] == ["Sketch"]
 
 
@@ -154,7 +154,7 @@ def test_escape_halfway_through_the_work_leaves_the_document_as_it_was(doc, sele
     assert state(doc) == before
 
 
-def test_a_deleted_base_is_said_and_breaks_nothing(
+def test_a_deleted_base_is_stated_and_breaks_nothing(
     planned, box, doc, press, select, screenshot, pump, tree_row, until
 ):
     doc.removeObject(box.Name)
@@ -168,7 +168,7 @@ def test_a_deleted_base_is_said_and_breaks_nothing(
     assert planned.Mesh.getStatusString() not in ("Valid", "")
 
 
-def test_a_file_that_is_there_is_replaced_only_when_asked(
+def test_a_file_that_is_there_is_replaced_only_when_confirmed(
     planned, doc, press, field, type_into, panel_button, modal, tmp_path, until
 ):
     there = tmp_path / "precious.ngc"
@@ -179,17 +179,17 @@ def test_a_file_that_is_there_is_replaced_only_when_asked(
     type_into(field("spindle"), "9000")
     no = modal("Cancel")
     panel_button("OK", 500)
-    until(lambda: no.said, 20000, "a question")
-    assert len(no.said) == 1
+    until(lambda: no.texts, 20000, "a question")
+    assert len(no.texts) == 1
     assert there.read_text() == "(mine)\n"
     yes = modal("Replace")
     panel_button("OK", 500)
-    until(lambda: yes.said, 20000, "a question")
-    assert len(yes.said) == 1
+    until(lambda: yes.texts, 20000, "a question")
+    assert len(yes.texts) == 1
     until(lambda: there.read_text() != "(mine)\n", 20000, "the file replaced")
 
 
-def test_a_folder_that_cannot_be_written_is_said_in_the_panel(
+def test_a_folder_that_cannot_be_written_is_stated_in_the_panel(
     planned, doc, press, field, type_into, panel_button, tmp_path, until
 ):
     (tmp_path / "file").write_text("no folder")
@@ -225,7 +225,7 @@ def test_a_machine_file_that_vanished_marks_the_path(
     assert "mine.fcm" in planned.getStatusString()
 
 
-def test_an_nc_file_that_is_none_is_said_in_the_panel(
+def test_an_nc_file_that_is_none_is_stated_in_the_panel(
     doc, press, field, type_into, panel_button, tmp_path, screenshot, until
 ):
     poem = tmp_path / "poem.ngc"

@@ -110,7 +110,7 @@ def annotate(press, until, doc):
 
 
 @pytest.mark.short
-def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, doc, press, tree_row, plan, shown, tmp_path,
+def test_a_solid_built_by_clicks_gets_passes_markers_nc_and_play(window, dome, doc, press, tree_row, plan, shown, tmp_path,
                                                                 annotate, panel_button, panel_closed, field, type_into, until):  # fmt: skip
     tree_row("Dome")
     press("FiveAxis_Tessellate", 500)
@@ -197,7 +197,7 @@ def test_a_row_of_the_findings_moves_the_view(
     panel = findings_panel.show(path)
     text = window.findChild(QtWidgets.QTextBrowser, "FiveAxisFindingsText")
     until(
-        lambda: all(said in text.toPlainText() for said in ("Proven:", "Assumed:", "Not known:")),
+        lambda: all(message in text.toPlainText() for message in ("Proven:", "Assumed:", "Not known:")),
         20000,
         "what that rests on",
     )

@@ -41,9 +41,9 @@ def box(doc):
 @pytest.fixture
 def path(box):
     """A coarse path over the block."""
-    made = app.create_toolpath(box.Document, box, **COARSE)
+    result = app.create_toolpath(box.Document, box, **COARSE)
     box.Document.clearUndos()
-    return made
+    return result
 
 
 def names(doc):
@@ -78,13 +78,13 @@ ORDER = [
 
 def groups_of(actions):
     """The names of our commands, divided where a line stands between them."""
-    made = [[]]
+    result = [[]]
     for action in actions:
         if action.isSeparator():
-            made.append([])
+            result.append([])
         else:
-            made[-1].append(action.objectName().removeprefix("FiveAxis_"))
-    return [group for group in made if group]
+            result[-1].append(action.objectName().removeprefix("FiveAxis_"))
+    return [group for group in result if group]
 
 
 def test_tool_bars_and_menu_follow_the_order_of_the_work(window):
@@ -121,8 +121,8 @@ def test_tessellate_makes_a_mesh_in_one_step(box, select, press, until):
     select(box, "Face6")
     press("FiveAxis_Tessellate")
     doc = box.Document
-    made = until(lambda: doc.getObject("Tessellation"), 20000, "a mesh")
-    assert made.Mesh.CountFacets == 12 and made.Base == (box, ["Face6"]) and doc.UndoCount == 1
+    result = until(lambda: doc.getObject("Tessellation"), 20000, "a mesh")
+    assert result.Mesh.CountFacets == 12 and result.Base == (box, ["Face6"]) and doc.UndoCount == 1
     doc.undo()
     assert names(doc) == ["Box"]
 
@@ -136,15 +136,15 @@ def sketch(doc):
 
 
 def shell(doc):
-    made = doc.addObject("Part::Feature", "Shell")
-    made.Shape = Part.makePlane(10, 10)
-    return made
+    result = doc.addObject("Part::Feature", "Shell")
+    result.Shape = Part.makePlane(10, 10)
+    return result
 
 
 def empty_mesh(doc):
-    made = doc.addObject("Mesh::Feature", "Mesh")
-    made.Mesh = Mesh.Mesh()
-    return made
+    result = doc.addObject("Mesh::Feature", "Mesh")
+    result.Mesh = Mesh.Mesh()
+    return result
 
 
 @pytest.mark.parametrize("command", ["FiveAxis_Tessellate", "FiveAxis_Toolpath"])
@@ -157,17 +157,17 @@ def test_what_cannot_be_milled_says_what_to_select(box, make, command, select, p
     FreeCADGui.Selection.clearSelection()
     if wrong is not None:
         select(wrong)
-    told = modal("OK")
+    reported = modal("OK")
     press(command, wait=500)
-    until(lambda: told.said, 20000, "what to select")
-    assert "select a" in told.said[0].lower()
+    until(lambda: reported.texts, 20000, "what to select")
+    assert "select a" in reported.texts[0].lower()
     assert names(doc) == before and not FreeCADGui.Control.activeDialog() and not doc.HasPendingTransaction
 
 
 def a_compound(doc, box):
-    made = doc.addObject("Part::Compound", "Compound")
-    made.Links = [box]
-    return made
+    result = doc.addObject("Part::Compound", "Compound")
+    result.Links = [box]
+    return result
 
 
 def a_body(doc, box):
@@ -177,9 +177,9 @@ def a_body(doc, box):
 
 
 def a_mesh(doc, box):
-    made = doc.addObject("Mesh::Feature", "Mesh")
-    made.Mesh = Mesh.createBox(20, 20, 10)
-    return made
+    result = doc.addObject("Mesh::Feature", "Mesh")
+    result.Mesh = Mesh.createBox(20, 20, 10)
+    return result
 
 
 @pytest.mark.parametrize("make", [a_compound, a_body, a_mesh])
@@ -215,10 +215,10 @@ def test_several_paths_ask_for_one_and_children_stand_for_theirs(path, press, se
     doc = path.Document
     other = app.create_toolpath(doc, doc.Box, **{**COARSE, "stepover": 5.0})
     FreeCADGui.Selection.clearSelection()
-    told = modal("OK")
+    reported = modal("OK")
     press("FiveAxis_Annotate")
-    until(lambda: told.said, 20000, "a question")
-    assert told.said == ["There are several paths: select the one to mark."]
+    until(lambda: reported.texts, 20000, "a question")
+    assert reported.texts == ["There are several paths: select the one to mark."]
     select(other.Mesh)
     press("FiveAxis_Annotate")
     until(lambda: doc.getObject("Markers"), 20000, "markers")
@@ -229,10 +229,10 @@ def test_several_paths_ask_for_one_and_children_stand_for_theirs(path, press, se
 
 def test_a_path_that_cannot_be_computed_says_why(path, press, modal, until):
     path.Machine = "no_such_machine"
-    told = modal("OK")
+    reported = modal("OK")
     press("FiveAxis_Annotate", wait=500)
-    until(lambda: told.said, 20000, "what is wrong")
-    assert "no_such_machine" in told.said[0] and "Markers" not in names(path.Document)
+    until(lambda: reported.texts, 20000, "what is wrong")
+    assert "no_such_machine" in reported.texts[0] and "Markers" not in names(path.Document)
 
 
 def test_stopped_work_leaves_the_document_as_it_was(box, select, press, monkeypatch, until):
@@ -336,6 +336,6 @@ def test_the_pointer_is_as_ever_over_the_message_of_what_cannot_be_milled(doc, b
         over.append(QtWidgets.QApplication.overrideCursor())
         dialog.close()
 
-    told = modal(close)
+    reported = modal(close)
     press("FiveAxis_Toolpath")
-    assert "Nothing is selected" in told.said[0] and over == [None]
+    assert "Nothing is selected" in reported.texts[0] and over == [None]

@@ -34,11 +34,11 @@ def path(doc, pump):
     ball.Radius, ball.Angle1 = 20, 0
     doc.recompute()
     look(doc)
-    made = app.create_toolpath(
+    toolpath = app.create_toolpath(
         doc, ball, passes="planes", machine="trunnion_ac", stepover=8, linear_deflection=0.1
     )
     pump(500)
-    return made
+    return toolpath
 
 
 def tick(until, box, click, *values):
@@ -161,7 +161,7 @@ def test_the_table_is_saved_where_the_user_says_and_replaces_nothing_unasked(
     file.write_text("mine")
     met = modal("Cancel")
     shown.save()
-    assert met.said and file.read_text() == "mine"
+    assert met.texts and file.read_text() == "mine"
     file = tmp_path / "table.html"
     shown.save()
     assert "trunnion_ac" in file.read_text(encoding="utf-8")

@@ -226,18 +226,18 @@ def test_play_claims_nothing_of_guided_blocks(dome, doc, press, tree_row, window
     tree_row(path.Label)
     press("FiveAxis_Play", 800)
     panel = until(lambda: window.findChild(QtWidgets.QWidget, "FiveAxisPlay"), 20000, "the player")
-    said = {name: panel.findChild(QtWidgets.QLabel, name) for name in ("gap", "most", "bound", "note")}
+    message = {name: panel.findChild(QtWidgets.QLabel, name) for name in ("gap", "most", "bound", "note")}
     steps = [one for one in panel.findChildren(QtWidgets.QAbstractButton) if one.objectName() == "forward"]
     assert steps, [one.objectName() for one in panel.findChildren(QtWidgets.QAbstractButton)]
     for _ in range(5):
         steps[0].click()
         pump(100)
     until(
-        lambda: [said[name].text() for name in ("gap", "most", "bound")] == ["–", "–", "–"],
+        lambda: [message[name].text() for name in ("gap", "most", "bound")] == ["–", "–", "–"],
         20000,
         "no numbers",
     )
-    until(lambda: "guides the tip" in said["note"].text(), 20000, "why there are none")
+    until(lambda: "guides the tip" in message["note"].text(), 20000, "why there are none")
     screenshot("play-guided")
 
 

@@ -116,16 +116,18 @@ def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, do
     choose(field("singularity"), "turn the axis past it")
     choose(field("linearize"), "on")
     calculate(field, click, until)
-    said = field("summary").text()
+    message = field("summary").text()
     screenshot("panel_cures")
-    assert "turned past the pole" in said and "were divided into" in said, said
+    assert "turned past the pole" in message and "were divided into" in message, message
     panel_button("OK", 500)
     panel_closed()
     path = doc.Toolpath
     assert results.nc_of(path) == command_line(path, tmp_path)
     figures = results.figures_of(path)
-    made = results.result_of(path).draft
-    assert len(made.program.words) > len(made.path.tip), "no block was divided: this test would show nothing"
+    draft = results.result_of(path).draft
+    assert len(draft.program.words) > len(draft.path.tip), (
+        "no block was divided: this test would show nothing"
+    )
     dome.ViewObject.hide()
     tree_row(path.Label)
     press("FiveAxis_Annotate", 500)

@@ -50,12 +50,12 @@ def ours(function):
 @pytest.fixture
 def printed(monkeypatch):
     """What goes to the report view as an error."""
-    said = []
+    message = []
     before = FreeCAD.Console.PrintError
     monkeypatch.setattr(
-        failures.FreeCAD.Console, "PrintError", lambda text: (said.append(text), before(text))
+        failures.FreeCAD.Console, "PrintError", lambda text: (message.append(text), before(text))
     )
-    return said
+    return message
 
 
 def red(panel):
@@ -121,7 +121,7 @@ def test_without_a_panel_a_message_box_says_it_once_however_often_it_fails(doc, 
     assert "one by nought" in closed_box(until, pump)
 
 
-def test_an_error_of_a_command_is_told(doc, until, pump, printed, monkeypatch):
+def test_an_error_of_a_command_is_reported(doc, until, pump, printed, monkeypatch):
     monkeypatch.setattr("freecad_fiveaxis.gui.selected.job_or_part", fails)
     doc.addObject("Part::Box", "Box")
     doc.recompute()
@@ -142,7 +142,7 @@ def test_all_commands_and_observers_are_guarded():
     assert commands.NAMES
 
 
-def test_an_error_of_an_observer_is_told(doc, until, pump, monkeypatch):
+def test_an_error_of_an_observer_is_reported(doc, until, pump, monkeypatch):
     from freecad_fiveaxis.gui import attach
 
     monkeypatch.setattr(attach, "_look_again", fails)
@@ -211,7 +211,7 @@ def test_the_table_of_a_comparison_outlives_collected_garbage_and_has_the_whole_
     shown.dock.hide()
 
 
-def test_a_panel_without_a_document_is_lent_one_where_the_task_view_may_be_hidden(monkeypatch):
+def test_a_panel_without_a_document_is_given_one_where_the_task_view_may_be_hidden(monkeypatch):
     monkeypatch.setattr(FreeCAD, "Version", lambda: ["0", "20", "2"])
     assert not work_panel.may_lie_over_a_view()
     monkeypatch.setattr(FreeCAD, "Version", lambda: ["1", "1", "3"])

@@ -21,13 +21,13 @@ def audit(doc, pump, tmp_path):
     """The audit of So et al.'s Table 2, and a straight block after it."""
     attach.register()
     (tmp_path / "t2.ngc").write_text(TABLE_2)
-    made = app.audit(doc, str(tmp_path / "t2.ngc"), "mikron_ucp710", work_zero=(10.0, 20.0, 30.0))
+    result = app.audit(doc, str(tmp_path / "t2.ngc"), "mikron_ucp710", work_zero=(10.0, 20.0, 30.0))
     pump(600)
     view = FreeCADGui.getDocument(doc.Name).ActiveView
     view.viewIsometric()
     view.fitAll()
     pump(300)
-    yield made
+    yield result
     findings_panel.forget(doc)
 
 

@@ -178,9 +178,9 @@ def test_the_cutters_of_the_setup_are_offered(doc, dome, pump, unfold, until):
     until(lambda: box.isVisible() and not cutter.job.box.isVisible(), 20000, "the setup's cutters alone")
     box.activated.emit(1)
     assert cutter.value() == "ball:5.0:20.0" and box.currentIndex() == 0
-    for at, said in ((3, "cone"), (4, "Nine is no tool")):
+    for at, message in ((3, "cone"), (4, "Nine is no tool")):
         box.activated.emit(at)
-        assert said in cutter.error.text() and cutter.value() == "ball:5.0:20.0"
+        assert message in cutter.error.text() and cutter.value() == "ball:5.0:20.0"
     box.clearFocus()
     panel.calculate_button.setFocus()
     wheel(box)
@@ -239,13 +239,13 @@ def test_a_side_that_is_not_machined_is_marked_with_its_area(doc, block, until, 
     path = app.create_toolpath(
         doc, block, cutter="ball:8:40", stepover=3.0, passes="planes", gouge="off", linear_deflection=0.3
     )
-    made = app.annotate(path)
+    result = app.annotate(path)
     until(lambda: shown and len(shown[-1]) > 1, 20000, "the labels drawn")
-    sides = [at for at, kind in enumerate(made.Kinds) if kind == "side-not-machined"]
-    assert [made.Areas[at] for at in sides] == pytest.approx([60.0 * 20.0] * 2) and not any(
-        made.Depths[at] for at in sides
+    sides = [at for at, kind in enumerate(result.Kinds) if kind == "side-not-machined"]
+    assert [result.Areas[at] for at in sides] == pytest.approx([60.0 * 20.0] * 2) and not any(
+        result.Depths[at] for at in sides
     )
-    assert not any(area for at, area in enumerate(made.Areas) if made.Kinds[at] == "largest-deviation")
+    assert not any(area for at, area in enumerate(result.Areas) if result.Kinds[at] == "largest-deviation")
     assert [label.text for label in shown[-1]].count("Not machined: 1200 mm²") == 2
     screenshot("side_label")
 

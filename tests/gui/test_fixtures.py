@@ -21,12 +21,12 @@ COARSE = {
 
 @pytest.fixture
 def parts(doc):
-    made = [doc.addObject("Part::Box", name) for name in ("Plate", "Clamp")]
-    for one, size, low in zip(made, ((30, 20, 10), (10, 7, 25)), ((0, 0, 0), (10, -8, 0)), strict=True):
+    result = [doc.addObject("Part::Box", name) for name in ("Plate", "Clamp")]
+    for one, size, low in zip(result, ((30, 20, 10), (10, 7, 25)), ((0, 0, 0), (10, -8, 0)), strict=True):
         one.Length, one.Width, one.Height = size
         one.Placement.Base = FreeCAD.Vector(*low)
     doc.recompute()
-    return made
+    return result
 
 
 def tick(editor, row, click, until):
@@ -117,18 +117,18 @@ def test_an_audit_has_a_clamp_ticked_and_says_what_hits_it(
     assert panel.calculate()
     pump(600)
     screenshot("fixtures_audit")
-    made = panel.obj
-    assert made.Fixtures == [clamp] and any("into the fixture Clamp" in text for text in made.Findings)
+    result = panel.obj
+    assert result.Fixtures == [clamp] and any("into the fixture Clamp" in text for text in result.Findings)
     assert panel.accept()
     pump(200)
 
-    again = audit.edit(made)
+    again = audit.edit(result)
     pump(300)
     unfold()
     assert again.options.fields["fixtures"].value() == [clamp]
     tick(again.options.fields["fixtures"].editor, 1, click, until)
-    assert again.calculate() and not made.Fixtures
-    assert not any("fixture Clamp" in text for text in made.Findings), "what was told is the clamp's"
+    assert again.calculate() and not result.Fixtures
+    assert not any("fixture Clamp" in text for text in result.Findings), "what was told is the clamp's"
     assert again.reject()
     pump(200)
-    assert made.Fixtures == [clamp], "Cancel takes it back"
+    assert result.Fixtures == [clamp], "Cancel takes it back"

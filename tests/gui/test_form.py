@@ -39,12 +39,12 @@ def open_panel(dome, doc, pump):
     """open_panel(name): the panel of that module, opened over the dome."""
 
     def opened(name):
-        made = {
+        result = {
             "toolpath": lambda: toolpath.create(dome), "audit": lambda: audit.create(doc), "recover": recover.create,
             "prove_signs": prove_signs.create, "import_machine": import_machine.create, "setup": lambda: setup.create_over(dome),
         }[name]()  # fmt: skip
         pump(400)
-        return made
+        return result
 
     return opened
 
@@ -156,9 +156,9 @@ def test_the_keyboard_goes_from_header_to_field_and_folds(panel, key, pump, unti
 
 
 def test_titles_say_what_their_groups_hold(panel, field, choose, type_into, pump, until):
-    told = {name: group.header.toolTip() for name, group in panel.options.groups.items()}
-    assert told["machine"] == "Machine — trunnion_ac, LinuxCNC"
-    assert told["part"].startswith("Part — Dome, ")
+    reported = {name: group.header.toolTip() for name, group in panel.options.groups.items()}
+    assert reported["machine"] == "Machine — trunnion_ac, LinuxCNC"
+    assert reported["part"].startswith("Part — Dome, ")
     type_into(field("spindle"), "8000")
     type_into(field("feed"), "1500")
     header = panel.options.groups["tool"].header
@@ -209,7 +209,7 @@ def test_every_field_has_a_name_and_every_label_leads_to_its_field(panel, unfold
     assert len(names) == len(set(names)), "each field is found by its name"
 
 
-def test_the_spindle_is_asked_for_and_goes_into_the_program(
+def test_the_spindle_is_requested_and_goes_into_the_program(
     panel, doc, field, type_into, panel_button, until, panel_closed
 ):
     spindle = panel.options.fields["spindle"]

@@ -11,7 +11,7 @@ from freecad_fiveaxis.gui.panels import toolpath
 
 FOUR_AXES = str(Path(__file__).parents[2] / "examples" / "mill_xyza.fcm")
 COARSE = {"cutter": "ball:6", "scallop": 0.1, "max_axis_angle": 50.0, "tool_axis": "facet_mean"}
-ASKED = {
+WANTED = {
     "frames": {"frames", "within_frames"}, "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
     "rotary": {"pass_centre", "pass_axis", "rotary_by"},
 }  # fmt: skip
@@ -19,28 +19,28 @@ ASKED = {
 
 @pytest.fixture
 def ball(doc):
-    made = doc.addObject("Part::Sphere", "Knob")
-    made.Radius = 12
+    result = doc.addObject("Part::Sphere", "Knob")
+    result.Radius = 12
     doc.recompute()
-    return made
+    return result
 
 
 def test_each_choice_of_passes_asks_for_what_it_needs(ball, pump, unfold):
     panel = toolpath.create(ball)
     pump(200)
     unfold()
-    for passes, wanted in ASKED.items():
+    for passes, wanted in WANTED.items():
         panel.options.show_options({"passes": passes})
         pump(100)
         shown = {
-            name for name in set().union(*ASKED.values()) if panel.options.fields[name].editor.isVisible()
+            name for name in set().union(*WANTED.values()) if panel.options.fields[name].editor.isVisible()
         }
         assert shown == wanted, passes
     panel.reject()
 
 
 @pytest.mark.parametrize("passes", ["morph", "radial"])
-def test_passes_that_are_led_are_computed_and_edited_again(ball, pump, unfold, screenshot, passes):
+def test_passes_that_are_corrected_are_computed_and_edited_again(ball, pump, unfold, screenshot, passes):
     panel = toolpath.create(ball)
     panel.options.show_options({**COARSE, "passes": passes})
     pump(200)
@@ -99,7 +99,7 @@ def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(
     assert again.reject()
 
 
-def test_steep_and_shallow_is_asked_for_but_for_level_planes_and_is_off_where_empty(
+def test_steep_and_shallow_is_requested_but_for_level_planes_and_is_off_where_empty(
     ball, pump, unfold, screenshot
 ):
     panel = toolpath.create(ball)
@@ -161,11 +161,11 @@ def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screensh
 def test_rotary_passes_take_the_tool_axis_and_the_machines_axis(doc, pump, unfold, screenshot):
     """On a machine of four axes the tool points at its rotary axis by itself, and spirals make one helix of
     the rings."""
-    made = doc.addObject("Part::Cylinder", "Shaft")
-    made.Radius, made.Height = 6, 20
-    made.Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(0, 1, 0), 90)
+    result = doc.addObject("Part::Cylinder", "Shaft")
+    result.Radius, result.Height = 6, 20
+    result.Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(0, 1, 0), 90)
     doc.recompute()
-    panel = toolpath.create(made)
+    panel = toolpath.create(result)
     panel.options.show_options(
         {"machine": FOUR_AXES, "cutter": "ball:6", "scallop": 0.1, "passes": "rotary", "spiral": "on"}
     )

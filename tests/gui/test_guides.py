@@ -19,12 +19,12 @@ COARSE = {
 @pytest.fixture
 def disc(doc):
     """A disc of 15 mm radius and 5 mm about (20, 10)."""
-    made = doc.addObject("Part::Feature", "Disc")
-    made.Shape = Part.makeCylinder(15, 5, FreeCAD.Vector(20, 10, 0))
+    result = doc.addObject("Part::Feature", "Disc")
+    result.Shape = Part.makeCylinder(15, 5, FreeCAD.Vector(20, 10, 0))
     doc.recompute()
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
-    return made
+    return result
 
 
 @pytest.fixture

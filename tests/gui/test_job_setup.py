@@ -38,22 +38,22 @@ def answer(values, button="Ok"):
 
 
 def test_the_command_makes_a_setup_in_one_step_and_edits_it(doc, dome, press, modal, until):
-    told = modal(answer({"setup_name": "Vice", "machine": "trunnion_bc", "work_zero": (0, 0, 20)}))
+    reported = modal(answer({"setup_name": "Vice", "machine": "trunnion_bc", "work_zero": (0, 0, 20)}))
     press("FiveAxis_JobSetup", 600)
-    until(lambda: told.said == ["New setup"] and doc.UndoCount == 1, 20000, "a setup made in one step")
+    until(lambda: reported.texts == ["New setup"] and doc.UndoCount == 1, 20000, "a setup made in one step")
     assert (doc.Setup.Label, doc.Setup.Machine, doc.Setup.WorkZero.z) == ("Vice", "trunnion_bc", 20)
-    told = modal(answer({"machine": "trunnion_ac"}))
+    reported = modal(answer({"machine": "trunnion_ac"}))
     press("FiveAxis_JobSetup", 600)
     until(
         lambda: doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2,
         20000,
         "the setup edited in one step",
     )
-    assert told.said == ["Edit setup Vice"]
+    assert reported.texts == ["Edit setup Vice"]
     assert doc.Setup.WorkZero.z == 20
-    told = modal(answer({"machine": "fork_head_bc", "tool_length": 100}, "Cancel"))
+    reported = modal(answer({"machine": "fork_head_bc", "tool_length": 100}, "Cancel"))
     press("FiveAxis_JobSetup", 600)
-    until(lambda: told.said, 20000, "the dialog")
+    until(lambda: reported.texts, 20000, "the dialog")
     assert doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2
 
 
@@ -108,8 +108,8 @@ def test_the_values_of_a_path_are_shared(doc, dome, modal, click, pump, until):
 
 
 def test_boxes_that_count_for_nothing_are_not_shown(doc, dome, pump, screenshot, until):
-    made = app.create_setup(doc, machine="trunnion_bc", work_zero=(0, 0, 20))
-    dialog = job_setup.SetupDialog(doc, {"setup_name": made.Label} | job_setup.read_values(made), made)
+    result = app.create_setup(doc, machine="trunnion_bc", work_zero=(0, 0, 20))
+    dialog = job_setup.SetupDialog(doc, {"setup_name": result.Label} | job_setup.read_values(result), result)
     dialog.show()
     pump(300)
     origin = dialog.options.fields["origin"]

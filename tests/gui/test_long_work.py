@@ -127,9 +127,9 @@ def dome(doc):
 @pytest.fixture
 def path(dome, pump):
     """A path over it, of a few thousand blocks."""
-    made = app.create_toolpath(dome.Document, dome, machine="trunnion_ac", passes="planes", stepover=2)
+    toolpath = app.create_toolpath(dome.Document, dome, machine="trunnion_ac", passes="planes", stepover=2)
     pump(500)
-    return made
+    return toolpath
 
 
 def test_work_in_the_windows_own_thread_would_be_noticed(window, stopped):
@@ -293,14 +293,14 @@ def test_lifting_the_tool_leaves_the_window_alive_and_esc_stops_it(doc, stopped)
 
 
 def test_a_fraction_that_stands_still_is_shown_as_a_bar_that_runs(window, pump):
-    with waiting("Watched") as told:
-        bar = told.dialog.findChild(QtWidgets.QProgressBar)
-        told("weld", 0.25)
+    with waiting("Watched") as reported:
+        bar = reported.dialog.findChild(QtWidgets.QProgressBar)
+        reported("weld", 0.25)
         assert (bar.maximum(), bar.value()) == (100, 25)
         time.sleep(1.1)
-        told.pump()
-        assert bar.maximum() == 0 and not told.dialog.wasCanceled()
-        told("weld", 0.5)
+        reported.pump()
+        assert bar.maximum() == 0 and not reported.dialog.wasCanceled()
+        reported("weld", 0.5)
         assert (bar.maximum(), bar.value()) == (100, 50)
 
 

@@ -170,12 +170,12 @@ def test_what_is_wrong_is_named_while_typing_and_cannot_be_written(
     ]
     met = modal("Cancel")
     panel_button("Close")
-    until(lambda: met.said, 20000, "a question")
+    until(lambda: met.texts, 20000, "a question")
     assert FreeCADGui.Control.activeDialog() and field("machine_name").text() == "mine"
     met = modal("Do not save")
     panel_button("Close")
     panel_closed()
-    assert "not saved" in met.said[0] and not folder.exists()
+    assert "not saved" in met.texts[0] and not folder.exists()
 
 
 def test_axes_are_removed_and_added(

@@ -163,7 +163,7 @@ def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button,
     until(lambda: not error.isVisible(), 20000, "nothing wrong")
 
 
-def test_what_the_core_refuses_later_is_said_under_the_form(panel, doc, pump, until):
+def test_what_the_core_refuses_later_is_stated_under_the_form(panel, doc, pump, until):
     panel.options.show_options({"work_offset": "G99"})
     assert not panel.calculate()
     until(
@@ -189,18 +189,22 @@ def test_stopping_the_calculation_leaves_the_document_as_it_was(panel, doc, monk
 
 
 def test_esc_stops_long_work_and_the_window_is_painted_meanwhile(window, key, screenshot):
-    with waiting.waiting("Tool path") as told:
-        told("slice", 0.37)
-        bar = told.dialog.findChild(QtWidgets.QProgressBar)
-        assert told.dialog.isVisible() and bar.value() == 37 and "cutting the mesh" in told.dialog.labelText()
+    with waiting.waiting("Tool path") as reported:
+        reported("slice", 0.37)
+        bar = reported.dialog.findChild(QtWidgets.QProgressBar)
+        assert (
+            reported.dialog.isVisible()
+            and bar.value() == 37
+            and "cutting the mesh" in reported.dialog.labelText()
+        )
         screenshot("waiting")
         with pytest.raises(Cancelled):
-            key(told.dialog, QtCore.Qt.Key_Escape)
-            told("deviation", 0.5)
-    assert not told.dialog.isVisible()
+            key(reported.dialog, QtCore.Qt.Key_Escape)
+            reported("deviation", 0.5)
+    assert not reported.dialog.isVisible()
 
 
-def test_a_tool_length_is_asked_for_where_the_head_turns(panel, doc, until):
+def test_a_tool_length_is_requested_where_the_head_turns(panel, doc, until):
     assert not shown("tool_length").isVisible()
     panel.options.fields["machine"].show_value("fork_head_bc")
     until(shown("tool_length").isVisible, 20000, "the tool's length")
@@ -262,11 +266,13 @@ def test_each_kind_of_cutter_asks_for_its_own_sizes(
         choose(field("cutter_kind"), choice_label(kind))
     wanted = {"diameter", "length", *CUTTER_SIZES[kind]}
 
-    def asked(of):
+    def read_request(of):
         return {size for size, part in cutter.sizes.items() if of(part).isVisible()}
 
-    until(lambda: asked(lambda part: part.editor) == wanted, 20000, f"fields of {wanted}")
-    until(lambda: asked(lambda part: cutter.rows[part.name][0]) == wanted, 20000, f"labels of {wanted}")
+    until(lambda: read_request(lambda part: part.editor) == wanted, 20000, f"fields of {wanted}")
+    until(
+        lambda: read_request(lambda part: cutter.rows[part.name][0]) == wanted, 20000, f"labels of {wanted}"
+    )
     sizes = {
         "corner": ("1.25 mm", "1.25"),
         "taper": ("7.5 deg", "7.5deg"),
@@ -282,7 +288,7 @@ def test_each_kind_of_cutter_asks_for_its_own_sizes(
     screenshot("panel_cutter_" + kind)
 
 
-def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made(
+def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_built(
     panel, doc, field, choose, type_into, screenshot, pump, until
 ):
     choose(field("cutter_kind"), "bull nose mill")
@@ -304,7 +310,7 @@ def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made
     )
 
 
-def test_strategy_and_height_of_a_scallop_are_told_apart_and_no_choice_of_a_setup_is_cut_off(
+def test_strategy_and_height_of_a_scallop_are_distinguished_and_no_choice_of_a_setup_is_cut_off(
     panel, field, pump, screenshot
 ):
     strategies, spacing, setups = (field(name) for name in ("passes", "spacing_kind", "setup"))
@@ -361,10 +367,10 @@ def test_a_bull_nose_with_its_holder_by_clicks_gives_the_bytes_of_the_command_li
     assert panel.calculate()
     pump(300)
     screenshot("panel_gouge_summary")
-    told = modal("Keep anyway")
+    reported = modal("Keep anyway")
     panel_button("OK")
-    until(lambda: told.said, 20000, "a question")
-    assert "shank or holder hits the part" in told.said[0]
+    until(lambda: reported.texts, 20000, "a question")
+    assert "shank or holder hits the part" in reported.texts[0]
     panel_closed()
     path = doc.Toolpath
     assert (path.CutterKind, path.CutterCorner.Value, path.Gouge) == ("bull", 1.5, "report")
@@ -398,7 +404,7 @@ def test_every_option_stands_in_the_group_that_the_property_editor_has_it_in_or_
         assert group.title in (group_of(cls, leaf), "More settings"), leaf.name
 
 
-def test_largest_tilt_is_asked_for_where_either_choice_needs_it(panel, field, until):
+def test_largest_tilt_is_requested_where_either_choice_needs_it(panel, field, until):
     tilt, gouge, axis = (panel.options.fields[name] for name in ("max_tilt", "gouge", "tool_axis"))
     lead = panel.options.fields["lead"].editor
     assert not tilt.editor.isVisible()
@@ -561,10 +567,10 @@ def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(
 
 
 def test_a_second_panel_is_refused(panel, dome, modal, pump, until):
-    told = modal("OK")
+    reported = modal("OK")
     toolpath.create(dome)
-    until(lambda: told.said, 20000, "a refusal")
-    assert told.said == ["Another task panel is open: close it first."]
+    until(lambda: reported.texts, 20000, "a refusal")
+    assert reported.texts == ["Another task panel is open: close it first."]
 
 
 def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, screenshot, until):
@@ -660,10 +666,10 @@ def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(
     file = tmp_path / "part.ngc"
     file.write_text("(somebody's own)")
     post_to(file)
-    told = modal(answer)
+    reported = modal(answer)
     panel_button("OK", wait=600)
-    until(lambda: told.said, 20000, "a question")
-    assert str(file) in told.said[0]
+    until(lambda: reported.texts, 20000, "a question")
+    assert str(file) in reported.texts[0]
     until(
         lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"),
         20000,
@@ -672,7 +678,7 @@ def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(
     assert (file.read_bytes() == results.nc_of(path)) == (answer == "Replace")
 
 
-def test_of_an_inch_document_it_is_said_that_the_program_is_in_millimetres(
+def test_of_an_inch_document_it_is_stated_that_the_program_is_in_millimetres(
     path, inches, tmp_path, post_to, screenshot, until
 ):
     post_to(tmp_path / "part.ngc")
@@ -689,7 +695,7 @@ def test_of_a_metric_document_the_programs_unit_is_nothing_to_say(path, millimet
     assert panel.form.findChild(QtWidgets.QLabel, "post_units") is None
 
 
-def test_a_folder_that_is_not_there_is_said_under_the_name(post_to, doc, tmp_path, panel_button, until):
+def test_a_folder_that_is_not_there_is_stated_under_the_name(post_to, doc, tmp_path, panel_button, until):
     post_to(tmp_path / "nowhere" / "part.ngc")
     before = names(doc)
     panel_button("OK")
@@ -731,15 +737,15 @@ def test_the_audit_panel_makes_audit_and_markers_in_one_step(
 
 def test_the_holder_that_an_audit_draws_survives_its_panel(doc, tmp_path, until, panel_button, panel_closed):
     (tmp_path / "a.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
-    made = app.audit(doc, tmp_path / "a.ngc", "trunnion_ac", holder="40x60", cutter="taperball:6:5deg")
-    opened = audit.edit(made)
+    result = app.audit(doc, tmp_path / "a.ngc", "trunnion_ac", holder="40x60", cutter="taperball:6:5deg")
+    opened = audit.edit(result)
     until(lambda: FreeCADGui.Control.activeDialog() and opened.form.isVisible(), 20000, "the panel")
     opened.options.fields["tolerance"].show_value(0.5)
     assert opened.calculate(), shown("form_error").text()
     panel_button("OK")
     panel_closed()
-    until(lambda: made.Tolerance.Value == 0.5, 20000, "what OK keeps")
-    assert (made.Holder, made.CutterKind, made.CutterTaper.Value) == ("40x60", "taperball", 5.0)
+    until(lambda: result.Tolerance.Value == 0.5, 20000, "what OK keeps")
+    assert (result.Holder, result.CutterKind, result.CutterTaper.Value) == ("40x60", "taperball", 5.0)
 
 
 def test_an_nc_file_that_cannot_be_read_says_so(doc, tmp_path):

@@ -32,9 +32,9 @@ def toolpath(doc, **more):
         "stepover": 3.0,
         "linear_deflection": 0.1,
     } | more
-    made = app.create_toolpath(doc, dome(doc), **{"passes": "planes", "tool_axis": "facet_mean", **given})
+    result = app.create_toolpath(doc, dome(doc), **{"passes": "planes", "tool_axis": "facet_mean", **given})
     doc.recompute()
-    return made
+    return result
 
 
 def table_2(doc, folder):
@@ -453,7 +453,7 @@ def test_a_dialog_closed_by_somebody_else_leaves_nothing_behind(doc, opened, pum
     assert "FiveAxisPlay" not in children(doc)
 
 
-def test_following_ends_where_the_camera_stood(doc, opened, tick, panel_button, until, panel_closed):
+def test_following_ends_where_the_camera_was(doc, opened, tick, panel_button, until, panel_closed):
     shown = opened(toolpath(doc))
     before = state(doc)
     tick(shown.controls.follow)
@@ -542,10 +542,12 @@ def test_every_point_that_is_drawn_lies_on_the_body_that_is_checked(cutter):
 def test_play_shows_cutter_shank_and_holder_in_their_true_shape(
     doc, opened, screenshot, pixels, kind, pump, until
 ):
-    made = toolpath(doc, cutter=kind, lead=10, shank="8x12", holder="30x15,44x25", stepover=6.0, gouge="off")
-    shown = opened(made)
-    low, high = box_of(shown_body(made))
-    assert np.allclose((low[0], high[2]), (-22, float(made.CutterLength.Value) + 12 + 40), atol=1e-3)
+    result = toolpath(
+        doc, cutter=kind, lead=10, shank="8x12", holder="30x15,44x25", stepover=6.0, gouge="off"
+    )
+    shown = opened(result)
+    low, high = box_of(shown_body(result))
+    assert np.allclose((low[0], high[2]), (-22, float(result.CutterLength.Value) + 12 + 40), atol=1e-3)
     for _ in range(40):
         shown.step(shown.player.forward)
     view_of(doc).fitAll()
@@ -560,12 +562,12 @@ def shown_body(obj):
 
 
 def test_another_holder_is_drawn_while_it_plays(doc, opened, pump, until):
-    made = toolpath(doc, stepover=8.0)
-    shown = opened(made)
+    result = toolpath(doc, stepover=8.0)
+    shown = opened(result)
     before = shown.stage
-    made.Holder = "60x20"
+    result.Holder = "60x20"
     until(lambda: shown.stage is not before, 20000, "another tool")
-    made.Holder = "60"
+    result.Holder = "60"
     from freecad_fiveaxis.gui.play import panel
 
     until(lambda: panel.current() is None, 20000, "no player of a tool that cannot be")

@@ -356,10 +356,10 @@ def test_what_is_come_near_to_is_amber_and_named_with_the_distance_between_the_c
     shelf = {"low": [0, 40, 100], "high": [20, 60, 140]}
     machine["fiveaxis"]["bodies"].append({"name": "shelf", "carrier": "base", "box": shelf, "clearance": 10})
     (tmp_path / "near.fcm").write_text(json.dumps(machine))
-    made = audited(doc, tmp_path)
-    made.Machine = str(tmp_path / "near.fcm")
+    result = audited(doc, tmp_path)
+    result.Machine = str(tmp_path / "near.fcm")
     doc.recompute()
-    shown = opened(made)
+    shown = opened(result)
     near = next(one for one in shown.player.stops if one.near is not None)
     assert near.code == "machine-near" and near.near.entered == "shelf" and near.block == 4
     assert 0.5 < near.value < 7.0
@@ -401,11 +401,11 @@ def test_a_fixture_that_is_nearly_hit_is_amber_and_marked(
         "G21 G90 G94\nG1 X0 Y0 Z40 A0 C0 F2000\nG1 X0 Y0 Z20\nG1 X40 Y0 Z20\nG1 X40 Y0 Z40\nM2\n"
     )
     given = {"cutter": "flat:6:30", "fixtures": [clamp], "tool_length": 120}
-    made = app.audit(doc, str(tmp_path / "near.ngc"), "trunnion_ac", fixture_clearance=4, **given)
-    marks = app.annotate(made)
+    result = app.audit(doc, str(tmp_path / "near.ngc"), "trunnion_ac", fixture_clearance=4, **given)
+    marks = app.annotate(result)
     at = marks.Kinds.index("fixture-near")
     assert marks.Labels[at] == "cutter within 2 mm of Clamp, line 4"
-    shown = opened(made)
+    shown = opened(result)
     assert shown.controls.collision.isVisible() and shown.controls.collision.text() == "Next near miss"
     (_, switch), (look,) = shown.stage.fixtures.switches[0], shown.stage.fixtures.looks
     quiet = pixels(screenshot("play_near_fixture_none"), AMBER, 40)

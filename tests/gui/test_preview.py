@@ -24,13 +24,13 @@ PINK = tuple(round(255 * part) for part in preview_picture.COLOUR)
 @pytest.fixture
 def block(doc):
     """40 x 30 x 10 mm, from above in the view."""
-    made = doc.addObject("Part::Feature", "Block")
-    made.Shape = Part.makeBox(40, 30, 10)
+    result = doc.addObject("Part::Feature", "Block")
+    result.Shape = Part.makeBox(40, 30, 10)
     doc.recompute()
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
     doc.clearUndos()
-    return made
+    return result
 
 
 @pytest.fixture
@@ -48,7 +48,7 @@ def drawn(panel):
     return 0 if root is None else int(scene.findChild(root) >= 0)
 
 
-def test_passes_are_drawn_and_told_and_the_document_stays(
+def test_passes_are_drawn_and_reported_and_the_document_stays(
     doc, panel, field, click, until, pump, screenshot, pixels
 ):
     before = len(doc.Objects), doc.UndoCount
@@ -56,13 +56,13 @@ def test_passes_are_drawn_and_told_and_the_document_stays(
     click(field("preview_passes"))
     until(lambda: panel.preview.line.isVisible(), 20000, "the line")
     found = app.preview_passes((panel.base, panel.faces), **panel.options.read_values())
-    said = panel.preview.line.text()
+    message = panel.preview.line.text()
     assert (
-        said.startswith(f"{found.passes} passes, ")
-        and f"{found.length:.0f} mm" in said
-        and "links not counted" in said
+        message.startswith(f"{found.passes} passes, ")
+        and f"{found.length:.0f} mm" in message
+        and "links not counted" in message
     )
-    assert f"{int(found.length / 10) // 60}:" in said, said
+    assert f"{int(found.length / 10) // 60}:" in message, message
     assert (
         drawn(panel) == 1
         and (len(doc.Objects), doc.UndoCount) == before
@@ -112,7 +112,7 @@ def test_they_go_when_a_field_is_changed_a_path_computed_the_part_changed_or_the
     assert drawn(panel) == 0
 
 
-def test_what_cannot_be_laid_is_told_in_the_panel(panel, pump):
+def test_what_cannot_be_planned_is_reported_in_the_panel(panel, pump):
     panel.options.show_options({"avoid": [f"Face{at}" for at in range(1, 7)]})
     pump(100)
     assert not panel.preview_passes()

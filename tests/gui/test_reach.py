@@ -99,10 +99,10 @@ def test_the_map_is_calculated_seen_in_its_colours_kept_and_undone(
     type_into(field("cutter_length"), "20 mm")
     click(field("calculate"))
     until(lambda: "<table>" in field("summary").text(), 60000, "the areas")
-    (made,) = [obj for obj in doc.Objects if hasattr(obj, "ReachableShare")]
-    assert (made.Holder, made.CutterKind, made.CutterLength.Value) == ("40x30", "ball", 20.0)
-    assert field("verdict").text() == made.Verdict and "stick out 10 mm farther" in field("summary").text()
-    until(lambda: drawn(made), 20000, "the map")
+    (result,) = [obj for obj in doc.Objects if hasattr(obj, "ReachableShare")]
+    assert (result.Holder, result.CutterKind, result.CutterLength.Value) == ("40x30", "ball", 20.0)
+    assert field("verdict").text() == result.Verdict and "stick out 10 mm farther" in field("summary").text()
+    until(lambda: drawn(result), 20000, "the map")
     FreeCADGui.getDocument(doc.Name).ActiveView.viewTop()
     FreeCADGui.getDocument(doc.Name).ActiveView.fitAll()
     FreeCADGui.Selection.clearSelection()
@@ -114,15 +114,15 @@ def test_the_map_is_calculated_seen_in_its_colours_kept_and_undone(
     until(lambda: has((0, 80, 10), HELD), 30000, "the floor in the colour of the holder")
     assert has((-18, 80, 40), FREE) and has((18, 40, 40), FREE)
     click(field("show_axes"), QtCore.QPoint(8, field("show_axes").height() // 2))
-    until(lambda: made.ViewObject.ShowAxes and drawn(made).strokes.getNumChildren(), 20000, "the axes")
+    until(lambda: result.ViewObject.ShowAxes and drawn(result).strokes.getNumChildren(), 20000, "the axes")
     FreeCADGui.getDocument(doc.Name).ActiveView.viewIsometric()
     pump(300)
     screenshot("reach_axes")
     panel_button("OK", 1000)
     panel_closed()
-    assert doc.UndoCount == 1 and made.ViewObject.Proxy.claimChildren() == [doc.Tessellation]
+    assert doc.UndoCount == 1 and result.ViewObject.Proxy.claimChildren() == [doc.Tessellation]
     assert (
-        made.ViewObject.Proxy.getIcon().endswith("ReachMap.svg")
+        result.ViewObject.Proxy.getIcon().endswith("ReachMap.svg")
         and not doc.Tessellation.ViewObject.Visibility
     )
     doc.undo()
@@ -139,7 +139,7 @@ def test_a_stopped_map_leaves_the_document_as_it_was(
     from freecad_fiveaxis.gui import waiting
 
     doc.clearUndos()
-    begin, said = waiting.Waiting.__call__, []
+    begin, message = waiting.Waiting.__call__, []
 
     def stopped(self, stage, fraction):
         QtCore.QTimer.singleShot(0, self.dialog.cancel)  # what Esc does
@@ -148,11 +148,13 @@ def test_a_stopped_map_leaves_the_document_as_it_was(
     select(slot)
     press("FiveAxis_Reach")
     monkeypatch.setattr(waiting.Waiting, "__call__", stopped)
-    monkeypatch.setattr(messages, "status", said.append)
-    monkeypatch.setattr("freecad_fiveaxis.gui.panels.path_panel.status", said.append)
+    monkeypatch.setattr(messages, "status", message.append)
+    monkeypatch.setattr("freecad_fiveaxis.gui.panels.path_panel.status", message.append)
     click(field("calculate"))
-    until(lambda: said, 20000, "that it was stopped")
-    assert said == ["Stopped; the document is as it was."] and [obj.Name for obj in doc.Objects] == ["Slot"]
+    until(lambda: message, 20000, "that it was stopped")
+    assert message == ["Stopped; the document is as it was."] and [obj.Name for obj in doc.Objects] == [
+        "Slot"
+    ]
     panel_button("Cancel")
     assert doc.UndoCount == 0
 
@@ -173,13 +175,17 @@ def test_a_tool_path_gives_the_panel_its_machine_and_tool(
     press("FiveAxis_Reach")
     panel_button("OK", 1000)
     panel_closed()
-    made = doc.ReachMap
-    assert (made.Machine, made.CutterLength.Value, tuple(made.WorkZero)) == ("trunnion_bc", 60.0, (1, 2, 3))
-    assert made.Mesh is path.Mesh and not path.ViewObject.Visibility and doc.UndoCount == 1
-    assert made.ViewObject.Proxy.claimChildren() == [], "the tessellation stays below its tool path"
-    until(lambda: drawn(made), 20000, "the map")
-    assert tuple(drawn(made).origin.translation.getValue().getValue()) == pytest.approx((1, 2, 3))
-    made.ViewObject.Proxy.doubleClicked(made.ViewObject)
+    result = doc.ReachMap
+    assert (result.Machine, result.CutterLength.Value, tuple(result.WorkZero)) == (
+        "trunnion_bc",
+        60.0,
+        (1, 2, 3),
+    )
+    assert result.Mesh is path.Mesh and not path.ViewObject.Visibility and doc.UndoCount == 1
+    assert result.ViewObject.Proxy.claimChildren() == [], "the tessellation stays below its tool path"
+    until(lambda: drawn(result), 20000, "the map")
+    assert tuple(drawn(result).origin.translation.getValue().getValue()) == pytest.approx((1, 2, 3))
+    result.ViewObject.Proxy.doubleClicked(result.ViewObject)
     until(lambda: "<table>" in field("summary").text(), 20000, "the result that is there")
     panel_button("Cancel")
 
@@ -195,18 +201,22 @@ def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old_or_its_solid_gone
     pump(300)
     again = FreeCAD.openDocument(file)
     try:
-        made = again.ReachMap
-        assert made.ReachableArea.Value == pytest.approx(area)
-        until(lambda: drawn(made) and drawn(made).warned == "", 20000, "the map, not called old")
-        legend = drawn(made)._legend()
+        result = again.ReachMap
+        assert result.ReachableArea.Value == pytest.approx(area)
+        until(lambda: drawn(result) and drawn(result).warned == "", 20000, "the map, not called old")
+        legend = drawn(result)._legend()
         assert [colour for colour, _ in legend.keys] == [FREE, TIGHT, HELD]
         assert all("mm²" in text and "%" in text for _, text in legend.keys)
-        made.Holder = "20x30"
-        until(lambda: "recompute" in drawn(made).warned, 20000, "a map that is old")
+        result.Holder = "20x30"
+        until(lambda: "recompute" in drawn(result).warned, 20000, "a map that is old")
         again.recompute()
-        until(lambda: drawn(made).warned == "" and drawn(made).found is made.Proxy.last, 20000, "the new map")
+        until(
+            lambda: drawn(result).warned == "" and drawn(result).found is result.Proxy.last,
+            20000,
+            "the new map",
+        )
         again.removeObject("Slot")
-        until(lambda: "was deleted" in drawn(made).warned, 20000, "that the solid is gone")
-        assert reach.out_of_date(made)
+        until(lambda: "was deleted" in drawn(result).warned, 20000, "that the solid is gone")
+        assert reach.out_of_date(result)
     finally:
         close_all(again.Name)

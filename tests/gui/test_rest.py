@@ -47,11 +47,11 @@ def make_path(groove, doc, pump):
 
     def make(**settings):
         up = [f"Face{at}" for at, face in enumerate(groove.Shape.Faces, 1) if face.normalAt(0, 0).z > 0.5]
-        made = app.create_toolpath(doc, (groove, up), **GROOVE, work_zero=ZERO, **settings)
+        result = app.create_toolpath(doc, (groove, up), **GROOVE, work_zero=ZERO, **settings)
         doc.clearUndos()
         look(doc)
         pump(1500)
-        return made
+        return result
 
     yield make
     findings_panel.forget(doc)
@@ -80,8 +80,8 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
     names = [obj.Name for obj in doc.Objects]
     tree_row(path.Label)
     press("FiveAxis_Left", wait=1000)
-    made = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
-    until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
+    result = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
+    until(lambda: drawn(result) is not None and drawn(result).heights is not None, 20000, "the map")
     FreeCADGui.Selection.clearSelection()
     ramp = rest_nodes.scale_ramp()
 
@@ -96,12 +96,12 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
         "what is as it should be",
     )
     until(lambda: red() > 1000, 30000, "what is cut too deep")
-    assert made.LargestOvercut.Value > 1.0 and made.UpToDate
-    assert not path.ViewObject.Visibility and path.ViewObject.Proxy.claimChildren()[-1] is made
-    assert made.ViewObject.Proxy.getIcon().endswith("RestMap.svg") and doc.UndoCount == 1
-    view = type(made.ViewObject.Proxy)
+    assert result.LargestOvercut.Value > 1.0 and result.UpToDate
+    assert not path.ViewObject.Visibility and path.ViewObject.Proxy.claimChildren()[-1] is result
+    assert result.ViewObject.Proxy.getIcon().endswith("RestMap.svg") and doc.UndoCount == 1
+    view = type(result.ViewObject.Proxy)
     assert f"{view.__module__}.{view.__name__}" == "freecad_fiveaxis.gui.left_view.LeftMapView"
-    assert tuple(drawn(made).origin.translation.getValue().getValue()) == pytest.approx(ZERO)
+    assert tuple(drawn(result).origin.translation.getValue().getValue()) == pytest.approx(ZERO)
     doc.undo()
     until(lambda: [obj.Name for obj in doc.Objects] == names and path.ViewObject.Visibility, 20000, "undone")
     pump(500)
@@ -115,8 +115,8 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
 def test_what_stays_uncut_is_seen_in_blue(make_path, doc, press, until, pump, screenshot, pixels, view_box):
     make_path(gouge="lift", rest="on")
     press("FiveAxis_Left", wait=1000)
-    made = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
-    until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
+    result = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
+    until(lambda: drawn(result) is not None and drawn(result).heights is not None, 20000, "the map")
     ramp = rest_nodes.scale_ramp()
 
     def blue():
@@ -124,7 +124,7 @@ def test_what_stays_uncut_is_seen_in_blue(make_path, doc, press, until, pump, sc
         return sum(seen(pixels, shot, ramp[-row], view_box(), 12) for row in range(1, 60, 10))
 
     until(lambda: blue() > 500, 30000, "what stays uncut")
-    assert made.LargestUndercut.Value == pytest.approx(5.0 * (np.sqrt(2.0) - 1.0), rel=0.12)
+    assert result.LargestUndercut.Value == pytest.approx(5.0 * (np.sqrt(2.0) - 1.0), rel=0.12)
 
 
 def test_a_stopped_map_leaves_the_document_as_it_was(anew, make_path, doc, press, monkeypatch, pump, until):
@@ -137,37 +137,39 @@ def test_a_stopped_map_leaves_the_document_as_it_was(anew, make_path, doc, press
         QtCore.QTimer.singleShot(0, self.dialog.cancel)
         begin(self, stage, fraction)
 
-    said = []
+    message = []
     monkeypatch.setattr(waiting.Waiting, "__call__", stopped)
-    monkeypatch.setattr(messages, "status", said.append)
+    monkeypatch.setattr(messages, "status", message.append)
     press("FiveAxis_Left", wait=500)
-    until(lambda: said, 20000, "that it was stopped")
+    until(lambda: message, 20000, "that it was stopped")
     assert [obj.Name for obj in doc.Objects] == names and doc.UndoCount == 0
     assert path.ViewObject.Visibility and path.State == ["Up-to-date"]
-    assert said == ["Stopped; the document is as it was."]
+    assert message == ["Stopped; the document is as it was."]
 
 
 def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old(
     make_path, doc, pump, until, tmp_path, screenshot, pixels, view_box
 ):
-    made = app.left_map(make_path(gouge="report"))
-    area = made.OvercutArea.Value
+    result = app.left_map(make_path(gouge="report"))
+    area = result.OvercutArea.Value
     file = str(tmp_path / "rest.FCStd")
     doc.saveAs(file)
     FreeCAD.closeDocument(doc.Name)
     pump(300)
     again = FreeCAD.openDocument(file)
     try:
-        made = again.LeftMap
-        assert made.OvercutArea.Value == pytest.approx(area) and made.Proxy.last is None
-        until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
+        result = again.LeftMap
+        assert result.OvercutArea.Value == pytest.approx(area) and result.Proxy.last is None
+        until(lambda: drawn(result) is not None and drawn(result).heights is not None, 20000, "the map")
         look(again)
         pump(500)
         until(
-            lambda: drawn(made).warned == "" and rest.out_of_date(made) == "", 20000, "a map that is not old"
+            lambda: drawn(result).warned == "" and rest.out_of_date(result) == "",
+            20000,
+            "a map that is not old",
         )
         again.Toolpath.Stepover = 2
-        until(lambda: "recompute" in drawn(made).warned, 20000, "a map that is old")
+        until(lambda: "recompute" in drawn(result).warned, 20000, "a map that is old")
         warning = (1.0, 205 / 255, 70 / 255)
         until(
             lambda: seen(pixels, screenshot("rest_old"), warning, view_box()) > 20,
@@ -176,7 +178,9 @@ def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old(
         )
         again.recompute()
         until(
-            lambda: drawn(made).warned == "" and drawn(made).heights is made.Proxy.last, 20000, "the new map"
+            lambda: drawn(result).warned == "" and drawn(result).heights is result.Proxy.last,
+            20000,
+            "the new map",
         )
     finally:
         close_all(again.Name)
@@ -186,10 +190,10 @@ def test_gouges_have_their_own_marks_labels_and_words(
     make_path, doc, pump, screenshot, pixels, view_box, view_click, click, until
 ):
     path = make_path(gouge="report")
-    made = app.annotate(path)
+    result = app.annotate(path)
     pump(800)
-    at = list(made.Kinds).index("overcut")
-    assert made.Depths[at] == pytest.approx(max(made.Depths)) and made.Depths[at] > 1.0
+    at = list(result.Kinds).index("overcut")
+    assert result.Depths[at] == pytest.approx(max(result.Depths)) and result.Depths[at] > 1.0
     doc.Groove.ViewObject.Visibility = True
     look(doc)
     until(
@@ -201,8 +205,8 @@ def test_gouges_have_their_own_marks_labels_and_words(
     pump(300)
     row = next(i for i, one in enumerate(panel.rows) if one.kind == "overcut")
     click(panel.table.viewport(), panel.table.visualItemRect(panel.table.item(row, 0)).center())
-    for said in ("Cut too deep", "What happens", "too deep into the part", "Why", "What helps", "lifted"):
-        until(lambda: said in panel.text.toPlainText(), 20000, f"{said!r}")  # noqa: B023
+    for message in ("Cut too deep", "What happens", "too deep into the part", "Why", "What helps", "lifted"):
+        until(lambda: message in panel.text.toPlainText(), 20000, f"{message!r}")  # noqa: B023
     screenshot("gouge_finding")
     place = [a + b for a, b in zip(panel.rows[row].finding.place, ZERO, strict=True)]
     view = FreeCADGui.getDocument(doc.Name).ActiveView

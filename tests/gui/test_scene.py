@@ -153,7 +153,7 @@ def test_the_path_is_seen_in_its_colours(dome, scene, screenshot, view_box, unti
     until(lambda: count(screenshot("scene-no-path"), loud) == 0, 30000, "no loud colour")
 
 
-def test_markers_stand_where_the_core_says_and_can_be_told_apart(
+def test_markers_stand_where_the_core_says_and_can_be_distinguished(
     dome, scene, screenshot, pixels, view_box, until
 ):
     picture = path_nodes.PathNodes()
@@ -239,14 +239,14 @@ def test_labels_lie_beside_each_other_and_beside_the_legend_from_every_side(
     view = scene(
         nodes.separate(frames.node, ball, *(one.root for one in (sets[0], legends[0], sets[1], legends[1])))
     )
-    tried, asked, overlap, place = [], [], layout.overlap, on_screen._Overlay.place
+    tried, wanted, overlap, place = [], [], layout.overlap, on_screen._Overlay.place
 
     def counted(box, *others):
         tried.append(len(box))
         return overlap(box, *others)
 
     def noted(overlay, action):
-        asked.append(overlay)
+        wanted.append(overlay)
         place(overlay, action)
 
     monkeypatch.setattr(layout, "overlap", counted)
@@ -269,7 +269,7 @@ def test_labels_lie_beside_each_other_and_beside_the_legend_from_every_side(
         assert np.linalg.norm(np.clip(seen, near[:, :2], near[:, 2:]) - seen, axis=1).max() < 250.0, (
             "far from its place"
         )
-    assert frames.count >= 12 and len(asked) == 4 * frames.count
+    assert frames.count >= 12 and len(wanted) == 4 * frames.count
     with capsys.disabled():
         print(f"\nplaces tried for 8 labels: {sum(tried) / frames.count:.0f} in a frame")
     assert sum(tried) <= frames.count * 8 * (len(layout.SLOTS) + 1), (
@@ -396,22 +396,22 @@ def test_an_idle_view_is_not_drawn_again_and_again_because_labels_find_their_pla
 )
 def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour):
     assert marks.largest_colour(deviation, 0.01, GOOD, BAD) == colour
-    made = marks.Marks()
-    made.show(np.zeros((1, 3)), [marks.LARGEST], colour, BAD, SINGULAR, 7.0)
+    result = marks.Marks()
+    result.show(np.zeros((1, 3)), [marks.LARGEST], colour, BAD, SINGULAR, 7.0)
     search = nodes.coin.SoSearchAction()
     search.setType(nodes.coin.SoMaterial.getClassTypeId())
     search.setInterest(nodes.coin.SoSearchAction.ALL)
-    search.apply(made.root)
+    search.apply(result.root)
     found = [
         search.getPaths()[i].getTail().diffuseColor[0].getValue()
         for i in range(search.getPaths().getLength())
     ]
     assert any(np.allclose(one, BAD, atol=1e-6) for one in found) == (colour == BAD)
     assert any(np.allclose(one, GOOD, atol=1e-6) for one in found) == (colour == GOOD)
-    told = labels.LargestDeviation(deviation, 12, 0.01, GOOD, BAD)
-    said = labels.of_marks([(0, 0, 0)], [marks.LARGEST], [None], told)
-    assert [one.colour for one in said] == ([colour] if colour else [])
-    assert not said or ("within" in said[0].text) == (colour == GOOD)
+    reported = labels.LargestDeviation(deviation, 12, 0.01, GOOD, BAD)
+    message = labels.of_marks([(0, 0, 0)], [marks.LARGEST], [None], reported)
+    assert [one.colour for one in message] == ([colour] if colour else [])
+    assert not message or ("within" in message[0].text) == (colour == GOOD)
 
 
 @pytest.mark.parametrize(("factor", "seen"), [(0.5, {BAD}), (2.0, {GOOD}), (None, {GOOD, BAD})])
@@ -421,11 +421,11 @@ def test_the_real_curves_are_loud_only_over_the_tolerance(dome, factor, seen):
     drawing = draw(dome)
     off = np.linalg.norm(drawing.spoke[1::2] - drawing.spoke[0::2], axis=1)
     tolerance = factor * (off.min() if factor < 1.0 else off.max()) if factor else float(np.median(off))
-    made = path_nodes._curves(replace(drawing, tolerance=tolerance), LOOK)
+    result = path_nodes._curves(replace(drawing, tolerance=tolerance), LOOK)
     (lines,) = [
-        made[2].getChild(i)
-        for i in range(made[2].getNumChildren())
-        if hasattr(made[2].getChild(i), "numVertices")
+        result[2].getChild(i)
+        for i in range(result[2].getNumChildren())
+        if hasattr(result[2].getChild(i), "numVertices")
     ]
     codes = np.array(lines.vertexProperty.getValue().orderedRGBA.getValues()).reshape(len(off), -1)
     assert {int(code) for code in codes.ravel()} == {colours.pack(colour) for colour in seen}
@@ -437,16 +437,16 @@ def test_a_kind_of_markers_has_one_label_and_each_side_that_is_not_machined_its_
              "corner-not-reached", "corner-not-reached", "unit-suspected"]  # fmt: skip
     places = np.arange(27.0).reshape(-1, 3).tolist()
     values = [None, None, None, 2100.0, None, 0.4, None, None, None]
-    said = labels.of_marks(places, kinds, values, labels.LargestDeviation(0.02, 12, 0.01, GOOD, BAD))
-    assert [one.place for one in said] == [
+    message = labels.of_marks(places, kinds, values, labels.LargestDeviation(0.02, 12, 0.01, GOOD, BAD))
+    assert [one.place for one in message] == [
         places[5],
         places[0],
         places[3],
         places[4],
         places[6],
     ]  # first what scraps the part
-    assert "0.4" in said[0].text and "over" in said[1].text and area_text(2100.0) in said[2].text
-    assert said[3].text == words.name_of("side-not-machined") and said[4].text.endswith(": 2 places")
+    assert "0.4" in message[0].text and "over" in message[1].text and area_text(2100.0) in message[2].text
+    assert message[3].text == words.name_of("side-not-machined") and message[4].text.endswith(": 2 places")
 
 
 @pytest.mark.parametrize("behind", ["nothing", "a legend"])
@@ -454,11 +454,11 @@ def test_a_marker_is_found_under_the_mouse(behind, dome, scene):
     """Also behind a legend, whose own camera would turn the mouse's ray away from what comes after it."""
     from pivy import coin
 
-    drawing, made = draw(dome), marks.Marks()
+    drawing, result = draw(dome), marks.Marks()
     places = np.array([one.place for one in drawing.markers])
     kinds = [one.kind for one in drawing.markers]
-    made.show(places, kinds, BAD, BAD, SINGULAR, 7.0)
-    view = scene(made.root)
+    result.show(places, kinds, BAD, BAD, SINGULAR, 7.0)
+    view = scene(result.root)
     found = []
     for row in range(0, len(places), 7):
         x, y = view.getPointOnScreen(FreeCAD.Vector(*places[row]))
@@ -470,11 +470,11 @@ def test_a_marker_is_found_under_the_mouse(behind, dome, scene):
             legend = on_screen.LegendBox()
             legend.show(words.legend_of("Path", dome, LOOK, ""))
             root.addChild(legend.root)
-        root.addChild(made.root)
+        root.addChild(result.root)
         action.apply(root)
         point = action.getPickedPoint()
         if point is not None:
-            found.append(np.linalg.norm(places[made.find_picked_marker(point)][:2] - places[row][:2]))
+            found.append(np.linalg.norm(places[result.find_picked_marker(point)][:2] - places[row][:2]))
     assert len(found) == len(range(0, len(places), 7))
     assert max(found) < 1.5  # mm: a neighbour that covers it
 
@@ -594,16 +594,16 @@ def bright_share(labels, box, path):
 
 @pytest.mark.parametrize("pixels_of_part", [10.0, 100.0, 400.0, 4000.0])
 def test_markers_have_a_size_between_bounds_and_do_not_cover_a_far_part(pixels_of_part):
-    made, rng = marks.Marks(), np.random.default_rng(1)
+    result, rng = marks.Marks(), np.random.default_rng(1)
     places = np.concatenate([rng.uniform(0.0, 100.0, (2000, 3)), rng.uniform(0.0, 100.0, (30, 3))])
-    made.show(places, [marks.SINGULAR] * 2000 + [marks.OVER] * 30, BAD, BAD, SINGULAR, 7.0)
-    made.stand_on(np.zeros(3), np.full(3, 100.0))
-    made.zoom_to(pixels_of_part / np.sqrt(3e4))
-    sizes = [style.pointSize.getValue() for style, _, _ in made.sizes]
+    result.show(places, [marks.SINGULAR] * 2000 + [marks.OVER] * 30, BAD, BAD, SINGULAR, 7.0)
+    result.stand_on(np.zeros(3), np.full(3, 100.0))
+    result.zoom_to(pixels_of_part / np.sqrt(3e4))
+    sizes = [style.pointSize.getValue() for style, _, _ in result.sizes]
     assert min(sizes) >= marks.LEAST and max(sizes) <= 14.0 + marks.RIM
-    shown = {int(shape.numPoints.getValue()) for shape, _, _ in made.many}
+    shown = {int(shape.numPoints.getValue()) for shape, _, _ in result.many}
     assert len(shown) == 1 and (shown == {2000} if pixels_of_part == 4000.0 else shown.pop() >= marks.FEW)
-    (one, *_) = made.many
+    (one, *_) = result.many
     size = marks.choose_size(pixels_of_part, marks.least_size(14.0), 14.0) ** 2
     assert one[0].numPoints.getValue() * size <= max(
         0.5 * marks.COVERED * pixels_of_part**2, marks.FEW * size
@@ -613,20 +613,20 @@ def test_markers_have_a_size_between_bounds_and_do_not_cover_a_far_part(pixels_o
 def test_a_far_part_is_seen_between_its_markers(scene, until, screenshot, pixels, view_box, pump):
     """A ball with a thousand markers near the pole, small in the view: the more so without the bounds of
     their sizes."""
-    made, rng = marks.Marks(), np.random.default_rng(2)
+    result, rng = marks.Marks(), np.random.default_rng(2)
     places = rng.normal(size=(1000, 3))
     places *= 20.0 / np.linalg.norm(places, axis=1)[:, None]
-    made.show(places, [marks.SINGULAR] * 1000, BAD, BAD, SINGULAR, 7.0)
+    result.show(places, [marks.SINGULAR] * 1000, BAD, BAD, SINGULAR, 7.0)
     ball, green = nodes.coin.SoSphere(), nodes.coin.SoMaterial()
     ball.radius = 20.0
     green.emissiveColor.setValue(0.0, 1.0, 0.0)
     green.diffuseColor.setValue(0.0, 0.0, 0.0)
-    view = scene(nodes.separate(green, ball, made.root))
+    view = scene(nodes.separate(green, ball, result.root))
     view.getCameraNode().height = 12.0 * view.getCameraNode().height.getValue()
     seen = {}
     for bounded in (False, True):
         if bounded:
-            made.stand_on(np.full(3, -20.0), np.full(3, 20.0))
+            result.stand_on(np.full(3, -20.0), np.full(3, 20.0))
             view.redraw()
         pump(300)
         path = screenshot(f"markers_of_a_far_part_{'bounded' if bounded else 'before'}")

@@ -33,7 +33,7 @@ def dome(doc, parameters, tmp_path):
 def path(dome, doc, pump):
     """A coarse path over the dome, off the rotary centre; its blocks are not divided, so that the place
     decides the deviation."""
-    made = app.create_toolpath(
+    result = app.create_toolpath(
         doc,
         dome,
         passes="planes",
@@ -45,7 +45,7 @@ def path(dome, doc, pump):
     )
     doc.clearUndos()
     pump(500)
-    return made
+    return result
 
 
 @pytest.fixture
@@ -84,11 +84,11 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     ask_small()
     click(field("calculate"))
     until(lambda: "<table>" in field("summary").text(), 60000, "a recommendation")
-    (made,) = [obj for obj in doc.Objects if hasattr(obj, "Recommended")]
-    assert tuple(made.Region) == (40, 40, 40) and tuple(made.Grid) == (3, 3, 2)
+    (result,) = [obj for obj in doc.Objects if hasattr(obj, "Recommended")]
+    assert tuple(result.Region) == (40, 40, 40) and tuple(result.Grid) == (3, 3, 2)
     dome.ViewObject.hide()
     path.ViewObject.hide()
-    ramp = colours.heat(rgb(made.ViewObject.ColourBad))
+    ramp = colours.heat(rgb(result.ViewObject.ColourBad))
     for colour, what in (
         (ramp[-1], "the place of the largest deviation"),
         ((0.35, 0.71, 0.91), "the present work zero"),
@@ -96,15 +96,16 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
         until(lambda: seen(pixels, screenshot("setup_map"), colour, view_box()) > 60, 30000, what)  # noqa: B023
     click(field("apply"))
     until(lambda: path.MaxSegmentDeviation.Value < before, 60000, "a lower deviation")
-    said = field("summary")
-    until(lambda: said.text().startswith("<p><b>Applied: "), 20000, "that it is applied")
-    until(lambda: said.visibleRegion().boundingRect().top() == 0, 20000, "that, seen without scrolling")
+    message = field("summary")
+    until(lambda: message.text().startswith("<p><b>Applied: "), 20000, "that it is applied")
+    until(lambda: message.visibleRegion().boundingRect().top() == 0, 20000, "that, seen without scrolling")
     screenshot("setup_applied")
     panel_button("OK")
     panel_closed()
-    assert tuple(path.Origin) == pytest.approx(tuple(made.Recommended)) and not path.OriginFromMachine
+    assert tuple(path.Origin) == pytest.approx(tuple(result.Recommended)) and not path.OriginFromMachine
     assert (
-        path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9) and made.UpToDate
+        path.MaxSegmentDeviation.Value == pytest.approx(result.DeviationAfter.Value, abs=1e-9)
+        and result.UpToDate
     )
     assert doc.UndoCount == 1
     doc.undo()
@@ -114,17 +115,17 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
 def test_deviations_of_blocks_that_will_be_divided_say_so(dome, doc, path):
     from freecad_fiveaxis.gui.panels import setup
 
-    def told(made):
-        return [row[0] for row in setup.rows(made)], made.Verdict
+    def list_reported(result):
+        return [row[0] for row in setup.rows(result)], result.Verdict
 
-    labels, verdict = told(app.setup_map(path, region=(40, 40, 0), grid=(2, 2, 1)))
+    labels, verdict = list_reported(app.setup_map(path, region=(40, 40, 0), grid=(2, 2, 1)))
     assert "Largest deviation" in labels and "not yet divided" not in verdict
     path.Linearize = "on"
     doc.recompute()
-    made = app.setup_map(path, region=(40, 40, 0), grid=(2, 2, 1))
-    labels, verdict = told(made)
+    result = app.setup_map(path, region=(40, 40, 0), grid=(2, 2, 1))
+    labels, verdict = list_reported(result)
     assert "Largest deviation, blocks not yet divided" in labels and "not yet divided" in verdict
-    assert made.DeviationBefore > path.Tolerance >= path.MaxSurfaceDeviation, (
+    assert result.DeviationBefore > path.Tolerance >= path.MaxSurfaceDeviation, (
         "which is why that has to be said"
     )
     assert setup.describe_applied(path).startswith(
@@ -193,10 +194,10 @@ def test_what_holds_the_part_is_ticked_and_the_findings_say_how_high_jaws_reach(
     screenshot("setup_fixtures")
     panel_button("OK")
     panel_closed()
-    (made,) = [obj for obj in doc.Objects if hasattr(obj, "Recommended")]
+    (result,) = [obj for obj in doc.Objects if hasattr(obj, "Recommended")]
     jaw.Height = 12
     doc.recompute()
-    assert not made.UpToDate
+    assert not result.UpToDate
     tree_row(path.Label)
     press("FiveAxis_Setup")
     tick(field("fixtures"), 0, click, until)
@@ -205,7 +206,7 @@ def test_what_holds_the_part_is_ticked_and_the_findings_say_how_high_jaws_reach(
     assert not path.Fixtures and "Jaws" not in field("summary").text()
     panel_button("Cancel")
     panel_closed()
-    assert path.Fixtures == [jaw] and not made.UpToDate, "Cancel takes it back"
+    assert path.Fixtures == [jaw] and not result.UpToDate, "Cancel takes it back"
 
 
 def test_a_solid_without_a_path_gets_one_in_the_same_step(
@@ -229,7 +230,7 @@ def test_a_solid_without_a_path_gets_one_in_the_same_step(
     assert [obj.Name for obj in doc.Objects] == ["Dome"]
 
 
-def test_a_region_without_a_choice_says_so_and_nothing_selected_is_told(dome, path, doc, tree_row, press, field, type_into, click,
+def test_a_region_without_a_choice_says_so_and_nothing_selected_is_reported(dome, path, doc, tree_row, press, field, type_into, click,
                                                                         until, panel_button, pump):  # fmt: skip
     tree_row(path.Label)
     press("FiveAxis_Setup")
@@ -247,8 +248,8 @@ def test_the_page_is_saved_where_the_user_says_and_replaces_nothing_unasked(
 ):
     from freecad_fiveaxis.gui.panels import setup
 
-    made = app.setup_map(path, region=(40, 40, 0), grid=(3, 3, 1))
-    panel = setup.edit(made)
+    result = app.setup_map(path, region=(40, 40, 0), grid=(3, 3, 1))
+    panel = setup.edit(result)
     pump(300)
     file = tmp_path / "map.html"
     monkeypatch.setattr(setup, "ask_file", lambda *_: str(file))
@@ -257,7 +258,7 @@ def test_the_page_is_saved_where_the_user_says_and_replaces_nothing_unasked(
     file.write_text("mine")
     met = modal("Cancel")
     panel.save()
-    assert met.said and file.read_text() == "mine"
+    assert met.texts and file.read_text() == "mine"
     modal("Replace")
     panel.save()
     assert file.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
@@ -280,9 +281,9 @@ def test_a_reopened_map_is_drawn_and_says_when_it_is_old(
         again.recompute()
         pump(800)
         look(again)
-        made = again.SetupMap
-        assert made.Proxy.last is None and not made.UpToDate
-        worst = colours.heat(rgb(made.ViewObject.ColourBad))[-1]
+        result = again.SetupMap
+        assert result.Proxy.last is None and not result.UpToDate
+        worst = colours.heat(rgb(result.ViewObject.ColourBad))[-1]
         until(
             lambda: seen(pixels, screenshot("setup_reopened"), worst, view_box()) > 60,
             30000,
@@ -294,7 +295,7 @@ def test_a_reopened_map_is_drawn_and_says_when_it_is_old(
             30000,
             "the legend's warning",
         )
-        assert made.ViewObject.Proxy.getIcon().endswith("SetupMap.svg")
+        assert result.ViewObject.Proxy.getIcon().endswith("SetupMap.svg")
     finally:
         close_all(again.Name)
 
@@ -305,18 +306,18 @@ def test_the_legend_of_the_map_is_as_that_of_a_path(path, doc, until, screenshot
     from freecad_fiveaxis.app import setups
     from freecad_fiveaxis.gui.scene.on_screen import LegendBox
 
-    made = app.setup_map(path, region=(300, 300, 0), grid=(3, 3, 1))
+    result = app.setup_map(path, region=(300, 300, 0), grid=(3, 3, 1))
     look(doc)
-    picture = until(lambda: made.ViewObject.Proxy.picture, 20000, "the map drawn")
+    picture = until(lambda: result.ViewObject.Proxy.picture, 20000, "the map drawn")
     assert type(picture.legend) is LegendBox is type(path.ViewObject.Proxy.picture.legend)
-    scale = setups.scale(made)
-    legend = picture._legend(scale, (0, 1, 0), (1, 0, 0), len(made.Places))
+    scale = setups.scale(result)
+    legend = picture._legend(scale, (0, 1, 0), (1, 0, 0), len(result.Places))
     assert legend.halves == ("smaller deviation", "larger deviation") and len(legend.marks) == 5
     counts = [int(text.split(": ")[1].split(" ")[0]) for _, text in legend.keys if ": " in text]
-    beyond = sum(kind == "setup-beyond-limits" for kind in made.Kinds)
-    within = sum(deviation <= path.Tolerance.Value for deviation in made.Deviations)
+    beyond = sum(kind == "setup-beyond-limits" for kind in result.Kinds)
+    within = sum(deviation <= path.Tolerance.Value for deviation in result.Deviations)
     assert counts == [within, beyond]
     until(lambda: len(picture.legend.box), 20000, "the legend in the view")
     screenshot("setup_legend")
-    made.ViewObject.FoldLegend = True
+    result.ViewObject.FoldLegend = True
     until(lambda: 0 < picture.legend.size[1] < 50, 20000, "one line")

@@ -38,11 +38,11 @@ def path(doc, until):
         Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16))
     )
     doc.recompute()
-    made = app.create_toolpath(
+    result = app.create_toolpath(
         doc, base, passes="planes", machine="trunnion_ac", cutter="ball:10", stepover=1.0
     )
-    until(lambda: drawn(made), 30000, "the path drawn")
-    return made
+    until(lambda: drawn(result), 30000, "the path drawn")
+    return result
 
 
 def drawn(path):

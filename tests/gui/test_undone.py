@@ -242,15 +242,15 @@ def ours(doc):
     }
 
 
-@pytest.mark.parametrize(("gone", "said"), [("Dome", "The part was deleted"), ("Tessellation", "The mesh of Toolpath was deleted"),
+@pytest.mark.parametrize(("gone", "message"), [("Dome", "The part was deleted"), ("Tessellation", "The mesh of Toolpath was deleted"),
                                             ("Toolpath", "The path of Markers was deleted")])  # fmt: skip
 def test_what_hangs_on_what_was_deleted_says_so_without_a_traceback_and_comes_back(
-    gone, said, hanging, doc, select, modal, press, pump, until, report_view, screenshot
+    gone, message, hanging, doc, select, modal, press, pump, until, report_view, screenshot
 ):
     before = {obj.Name: obj.State for obj in doc.Objects}
     deleted(doc.getObject(gone), select, modal, pump)
     until(
-        lambda: doc.getObject(gone) is None and said in report_view.toPlainText(),
+        lambda: doc.getObject(gone) is None and message in report_view.toPlainText(),
         20000,
         "that it was deleted",
     )

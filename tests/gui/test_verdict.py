@@ -43,10 +43,10 @@ def panel(dome, pump):
     """panel(options): the panel of a new path with these options."""
 
     def opened(**options):
-        made = toolpath.create(dome)
-        made.options.show_options({**COARSE, **options})
+        result = toolpath.create(dome)
+        result.options.show_options({**COARSE, **options})
         pump(300)
-        return made
+        return result
 
     return opened
 
@@ -95,15 +95,17 @@ def test_the_summary_shows_the_light_in_its_colour_until_the_settings_change(pan
 def test_the_verdict_is_whole_in_a_panel_of_any_height_and_the_rest_scrolls(width, until):
     """As whole as where nothing else stands about it."""
     box, lone = summary.Summary(), verdict_label.VerdictLabel("lone")
-    told = SimpleNamespace(Light="red", Verdict="NOT SAFE: " + 8 * "the tip leaves its line in block 1234; ")
+    reported = SimpleNamespace(
+        Light="red", Verdict="NOT SAFE: " + 8 * "the tip leaves its line in block 1234; "
+    )
     panel = PanelWidget("Panel", (QtWidgets.QPushButton("Calculate"), box), QtWidgets.QLabel("Form\n" * 40))
     panel.show()
     try:
-        box.verdict.show_verdict(told)
+        box.verdict.show_verdict(reported)
         box.tell("<br>".join(f"Line {line}" for line in range(30)))
         for height in (600, 300, 120):
             panel.resize(width, height)
-            lone.show_verdict(told)
+            lone.show_verdict(reported)
             lone.setFixedWidth(box.verdict.width())
             lone.adjustSize()
             until(
@@ -120,13 +122,13 @@ def test_the_verdict_is_whole_in_a_panel_of_any_height_and_the_rest_scrolls(widt
 @pytest.mark.parametrize("answer", ["Go back", "Keep anyway"])
 def test_ok_on_an_unsafe_path_asks(panel, doc, panel_button, modal, answer, until):
     panel(**UNSAFE)
-    told = modal(answer)
+    reported = modal(answer)
     panel_button("OK", wait=800)
-    until(lambda: told.said, 20000, "a question")
+    until(lambda: reported.texts, 20000, "a question")
     assert (
-        len(told.said) == 1
-        and told.said[0].startswith("NOT SAFE: ")
-        and "Keep this path anyway?" in told.said[0]
+        len(reported.texts) == 1
+        and reported.texts[0].startswith("NOT SAFE: ")
+        and "Keep this path anyway?" in reported.texts[0]
     )
     until(
         lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Go back"),
@@ -148,9 +150,9 @@ def test_enter_means_go_back(panel, doc, panel_button, modal, until):
             event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier, "\r")
             QtWidgets.QApplication.postEvent(dialog.defaultButton(), event)
 
-    told = modal(enter)
+    reported = modal(enter)
     panel_button("OK", wait=800)
-    until(lambda: told.said, 20000, "a question")
+    until(lambda: reported.texts, 20000, "a question")
     assert FreeCADGui.Control.activeDialog()
 
 
@@ -173,7 +175,7 @@ def test_an_audit_is_a_judgement_and_asks_nothing(doc, tmp_path, panel_button, p
     assert doc.Audit.Light == "red"
 
 
-def test_the_choice_of_linearize_is_not_asked_for_where_the_controller_guides_the_tip(panel):
+def test_the_choice_of_linearize_is_not_requested_where_the_controller_guides_the_tip(panel):
     opened = panel(controller="heidenhain")
     assert opened.options.options()["linearize"] == "on"
     opened.options.show_options({"rtcp": "angles"})
@@ -188,7 +190,7 @@ def path(doc, dome):
 
 
 @pytest.mark.parametrize("answer", ["Cancel", "Write anyway"])
-def test_post_names_the_errors_first_and_writes_only_when_told_to(
+def test_post_names_the_errors_first_and_writes_only_when_confirmed(
     path, tmp_path, panel_button, modal, screenshot, pump, answer, until
 ):
     unsafe, file = path(**UNSAFE, linear_deflection=0.1, angular_deflection=15), tmp_path / "part.ngc"
@@ -207,12 +209,12 @@ def test_post_names_the_errors_first_and_writes_only_when_told_to(
         assert dialog.defaultButton().text().replace("&", "") == "Cancel"
         next(one for one in dialog.buttons() if one.text().replace("&", "") == answer).click()
 
-    told = modal(look)
+    reported = modal(look)
     panel_button("OK", wait=800)
-    until(lambda: told.said, 20000, "a question")
-    assert told.said[0].startswith("NOT SAFE: ") and told.said[0].index("Errors") < told.said[0].index(
-        "Warnings"
-    )
+    until(lambda: reported.texts, 20000, "a question")
+    assert reported.texts[0].startswith("NOT SAFE: ") and reported.texts[0].index("Errors") < reported.texts[
+        0
+    ].index("Warnings")
     until(
         lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"),
         20000,
@@ -221,10 +223,10 @@ def test_post_names_the_errors_first_and_writes_only_when_told_to(
     assert file.exists() == (answer == "Write anyway")
 
 
-def test_after_writing_the_file_its_lines_and_its_time_are_told_and_opened(path, tmp_path, panel_button, pump, click, screenshot,
+def test_after_writing_the_file_its_lines_and_its_time_are_reported_and_opened(path, tmp_path, panel_button, pump, click, screenshot,
                                                                           monkeypatch, until, panel_closed):  # fmt: skip
-    made, file = path(spindle=8000), tmp_path / "part.ngc"
-    post.write(made).file.show_value(str(file))
+    result, file = path(spindle=8000), tmp_path / "part.ngc"
+    post.write(result).file.show_value(str(file))
     pump(300)
     assert not [
         one
@@ -241,7 +243,7 @@ def test_after_writing_the_file_its_lines_and_its_time_are_told_and_opened(path,
     text = shown("FiveAxisWrittenText").text()
     lines = len(file.read_bytes().splitlines())
     assert str(file) in text and f"{lines} lines" in text
-    assert summary.clock(results.figures_of(made).program.seconds.sum()) in text
+    assert summary.clock(results.figures_of(result).program.seconds.sum()) in text
     screenshot("post_written")
     opened = []
     monkeypatch.setattr(written, "open_url", lambda url: opened.append(url.toLocalFile()))
@@ -252,32 +254,32 @@ def test_after_writing_the_file_its_lines_and_its_time_are_told_and_opened(path,
     until(lambda: not shown("FiveAxisWritten").isVisible(), 20000, "the window closed")
 
 
-def test_a_spindle_speed_that_is_missing_is_asked_for_in_place(
+def test_a_spindle_speed_that_is_missing_is_requested_in_place(
     path, doc, tmp_path, panel_button, pump, type_into, field, panel_closed
 ):
-    made, file = path(), tmp_path / "part.ngc"
-    assert b"S9000" not in results.nc_of(made)
-    post.write(made).file.show_value(str(file))
+    result, file = path(), tmp_path / "part.ngc"
+    assert b"S9000" not in results.nc_of(result)
+    post.write(result).file.show_value(str(file))
     pump(300)
     type_into(field("spindle"), "9000")
     panel_button("OK", wait=800)
     panel_closed()
-    assert made.Spindle == 9000 and b"S9000" in file.read_bytes() and results.out_of_date(made) == ""
+    assert result.Spindle == 9000 and b"S9000" in file.read_bytes() and results.out_of_date(result) == ""
 
 
 @pytest.mark.parametrize("answer", ["Cancel", "Write anyway"])
-def test_a_program_that_leaves_the_spindle_off_is_written_only_when_told_to(
+def test_a_program_that_leaves_the_spindle_off_is_written_only_when_confirmed(
     path, tmp_path, panel_button, modal, pump, answer, until
 ):
-    made, file = path(), tmp_path / "part.ngc"
-    post.write(made).file.show_value(str(file))
+    result, file = path(), tmp_path / "part.ngc"
+    post.write(result).file.show_value(str(file))
     pump(300)
-    told = modal(
+    reported = modal(
         lambda dialog: next(one for one in dialog.buttons() if one.text().replace("&", "") == answer).click()
     )
     panel_button("OK", wait=800)
-    until(lambda: told.said, 20000, "a question")
-    assert "No spindle speed is given" in told.said[0] and "NOT SAFE" not in told.said[0]
+    until(lambda: reported.texts, 20000, "a question")
+    assert "No spindle speed is given" in reported.texts[0] and "NOT SAFE" not in reported.texts[0]
     until(
         lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"),
         20000,
@@ -287,9 +289,11 @@ def test_a_program_that_leaves_the_spindle_off_is_written_only_when_told_to(
 
 
 def test_the_list_of_findings_begins_with_the_verdict(path, pump, until):
-    made = path(**UNSAFE)
-    opened = findings_panel.show(made)
-    until(lambda: opened.verdict.isVisible() and opened.verdict.text() == made.Verdict, 20000, "the verdict")
+    result = path(**UNSAFE)
+    opened = findings_panel.show(result)
+    until(
+        lambda: opened.verdict.isVisible() and opened.verdict.text() == result.Verdict, 20000, "the verdict"
+    )
     opened.clear()
     until(lambda: not opened.verdict.isVisible(), 20000, "no verdict")
 

@@ -27,14 +27,14 @@ def path(doc, pump):
         Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16))
     )
     doc.recompute()
-    made = app.create_toolpath(
+    result = app.create_toolpath(
         doc, base, passes="planes", machine="trunnion_ac", cutter="ball:10", stepover=2.0
     )
-    _settled(made, pump)
+    _settled(result, pump)
     FreeCADGui.getDocument(doc.Name).ActiveView.viewIsometric()
     FreeCADGui.getDocument(doc.Name).ActiveView.fitAll()
     pump(200)
-    return made
+    return result
 
 
 @pytest.fixture
@@ -42,9 +42,9 @@ def audit(doc, pump, tmp_path):
     """The audit of So et al.'s Table 2."""
     attach.register()
     (tmp_path / "t2.ngc").write_text(TABLE_2)
-    made = app.audit(doc, str(tmp_path / "t2.ngc"), "mikron_ucp710")
-    _settled(made, pump)
-    return made
+    result = app.audit(doc, str(tmp_path / "t2.ngc"), "mikron_ucp710")
+    _settled(result, pump)
+    return result
 
 
 def _settled(obj, pump, ms=30000):
@@ -252,10 +252,10 @@ def test_the_label_honours_the_users_units(audit, schema, value):
 
     try:
         FreeCAD.Units.setSchema(schema)
-        said = words.label_text(audit.MaxSegmentDeviation.Value, audit.WorstLine, audit.Tolerance.Value)
+        message = words.label_text(audit.MaxSegmentDeviation.Value, audit.WorstLine, audit.Tolerance.Value)
     finally:
         FreeCAD.Units.setSchema(0)
-    assert said.startswith(f"{value}, NC line 3: over ")
+    assert message.startswith(f"{value}, NC line 3: over ")
 
 
 def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_path, screenshot, anew):
@@ -320,12 +320,12 @@ def test_undo_takes_the_picture_away_and_redo_brings_it_back(doc, pump):
 def second(path, doc, pump):
     """Another path over the dome, whose making can be undone."""
     doc.openTransaction("second")
-    made = app.create_toolpath(
+    result = app.create_toolpath(
         doc, doc.Dome, passes="planes", machine="trunnion_ac", stepover=8, linear_deflection=0.2
     )
     doc.commitTransaction()
-    _settled(made, pump)
-    return made
+    _settled(result, pump)
+    return result
 
 
 @pytest.fixture
@@ -435,7 +435,7 @@ def test_a_legend_goes_with_its_object_and_comes_back_with_it(
     shows(second, "the second one's after undo")
 
 
-def test_a_replaced_file_is_told_the_same_everywhere_and_refresh_computes_it(
+def test_a_replaced_file_is_reported_the_same_everywhere_and_refresh_computes_it(
     audit, doc, pump, tmp_path, until
 ):
     marks = app.annotate(audit)
@@ -473,9 +473,9 @@ def test_a_file_that_was_replaced_while_the_document_was_closed_has_no_old_label
     (tmp_path / "t2.ngc").write_text(TABLE_2.replace("G90 G93\n", "G90 G93\n(another)\n(program)\n"))
     again = FreeCAD.openDocument(str(tmp_path / "other.FCStd"))
     try:
-        made, marks = again.getObject(audit_name(again)), again.getObject(name)
-        picture = _settled(made, pump)
-        until(lambda: picture.checked and "Touched" in made.State, 20000, "that it is old")
+        result, marks = again.getObject(audit_name(again)), again.getObject(name)
+        picture = _settled(result, pump)
+        until(lambda: picture.checked and "Touched" in result.State, 20000, "that it is old")
         labels = until(
             lambda: marks.ViewObject.Proxy.picture and marks.ViewObject.Proxy.picture.labels,
             20000,
@@ -484,7 +484,7 @@ def test_a_file_that_was_replaced_while_the_document_was_closed_has_no_old_label
         until(lambda: not len(labels.places), 20000, "no label of the old program")
         FreeCADGui.runCommand("Std_Refresh")
         until(lambda: picture.checked == "" and len(labels.places), 20000, "the label of the new one")
-        assert made.WorstLine == int(picture.figures.program.line[picture.figures.worst[0]])
+        assert result.WorstLine == int(picture.figures.program.line[picture.figures.worst[0]])
     finally:
         FreeCAD.closeDocument(again.Name)
 

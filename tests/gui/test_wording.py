@@ -40,23 +40,23 @@ def dome(doc):
 
 
 def test_a_finding_in_german_and_in_every_schema(german, unit):
-    said = say(
+    message = say(
         "The cutter goes {depth} too deep into the part at {at}.",
         depth=Length(5.08, ".4g"),
         at=Point((25.4, 0.0, -12.7)),
     )
     depth, place = ("0.2 in", "(1, 0, -0.5) in") if unit == "in" else ("5.08 mm", "(25.4, 0, -12.7) mm")
-    assert wording.localize(said) == f"Der Fräser dringt bei {place} {depth} zu tief ins Werkstück ein."
+    assert wording.localize(message) == f"Der Fräser dringt bei {place} {depth} zu tief ins Werkstück ein."
 
 
 def test_an_error_names_the_field_as_the_window_does(german):
     with pytest.raises(FiveAxisError) as caught:
         build_settings("mill", "a.stl", {"machine": "trunnion_ac", "max_tilt": 400.0})
-    said = wording.localize(caught.value)
+    message = wording.localize(caught.value)
     assert (
-        said.startswith(translate("FiveAxis", "Largest axis angle"))
-        and "liegt außerhalb" in said
-        and "°" in said
+        message.startswith(translate("FiveAxis", "Largest axis angle"))
+        and "liegt außerhalb" in message
+        and "°" in message
     )
     assert str(caught.value).startswith("max-tilt 400")
 
@@ -78,8 +78,8 @@ def test_settings_choices_and_tasks_are_named_as_in_the_window():
 
 
 def test_settings_choices_and_tasks_are_named_as_in_the_german_window(german):
-    for named, _, told in NAMED:
-        assert wording.localize(say("{named}", named=named)) == told
+    for named, _, reported in NAMED:
+        assert wording.localize(say("{named}", named=named)) == reported
 
 
 def test_the_document_holds_what_is_shown(german, doc, dome, unit):
@@ -104,7 +104,7 @@ def test_a_label_of_the_view(unit):
 @pytest.mark.parametrize(
     ("lean", "words"), [(0.0, "keeps its direction"), (0.25, "to lean the tool by 0.25")]
 )
-def test_a_tool_that_only_turns_at_the_pole_is_not_said_to_lean_by_nothing(lean, words):
+def test_a_tool_that_only_turns_at_the_pole_is_not_stated_to_lean_by_nothing(lean, words):
     from freecad_fiveaxis.core.report.drawing import Spot
     from freecad_fiveaxis.gui.scene.words import explain
 

@@ -60,13 +60,13 @@ def pair(window, tmp_path_factory):
     ball.Radius, ball.Angle1 = 20, 0
     doc.recompute()
     path = app.create_toolpath(doc, ball, **FAST)
-    made, made_in = results.result_of(path).draft, tmp_path_factory.mktemp("pair")
-    (made_in / "ball.apt").write_bytes(
-        write_apt(made.path, made.settings.cutter.cutter, "ball", head=options.cl_head(made.settings))
+    result, result_in = results.result_of(path).draft, tmp_path_factory.mktemp("pair")
+    (result_in / "ball.apt").write_bytes(
+        write_apt(result.path, result.settings.cutter.cutter, "ball", head=options.cl_head(result.settings))
     )
-    app.post_process(path, made_in / "ball.ngc")
+    app.post_process(path, result_in / "ball.ngc")
     FreeCAD.closeDocument("Pair")
-    return made_in / "ball.apt", made_in / "ball.ngc"
+    return result_in / "ball.apt", result_in / "ball.ngc"
 
 
 def run(*words):
@@ -267,8 +267,8 @@ def test_the_signs_are_proven_without_a_document(empty, folder, press, field, ty
     sheet.write_text("mine")
     met = modal("Cancel")
     panel_button("OK")
-    until(lambda: met.said, 20000, "a question")
-    assert "signs.html" in met.said[0] and sheet.read_text() == "mine" and not nc.exists()
+    until(lambda: met.texts, 20000, "a question")
+    assert "signs.html" in met.texts[0] and sheet.read_text() == "mine" and not nc.exists()
     assert FreeCADGui.Control.activeDialog()
     modal("Replace")
     panel_button("OK", 800)
@@ -310,8 +310,8 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     assert mark == pytest.approx([30, -5, 12], abs=1e-6)
     panel_button("OK", 800)
     panel_closed()
-    made = [one.name for one in tmp_path.iterdir()]
-    assert sorted(made) == ["trunnion_bc signs.html", "trunnion_bc signs.ngc"]
+    result = [one.name for one in tmp_path.iterdir()]
+    assert sorted(result) == ["trunnion_bc signs.html", "trunnion_bc signs.ngc"]
     assert b"T4 M6" in (tmp_path / "trunnion_bc signs.ngc").read_bytes()
     assert doc.UndoCount == 0 or "Prove" not in str(doc.UndoNames)
 
@@ -470,6 +470,6 @@ def test_the_report_is_saved_where_the_user_says(empty, folder, pair, press, fie
     file.write_text("mine")
     met = modal("Cancel")
     click(field("page"))
-    until(lambda: met.said, 20000, "a question")
+    until(lambda: met.texts, 20000, "a question")
     assert file.read_text() == "mine"
     panel_button("Cancel")

@@ -65,10 +65,10 @@ def run(command, state, errors, program, samples):
         time.sleep(0.2)
         sampler.send_signal(signal.SIGINT)
         sampler.wait(10)
-    told = [] if done else ["the program did not come to its end"]
+    reported = [] if done else ["the program did not come to its end"]
     while (message := errors.poll()) is not None:
-        told.append(message[1].strip())
-    return told
+        reported.append(message[1].strip())
+    return reported
 
 
 if __name__ == "__main__":

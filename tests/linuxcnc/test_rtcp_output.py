@@ -31,10 +31,10 @@ def test_the_tip_of_a_posted_rtcp_program_stays_on_the_chords_of_the_cl_path(kin
         job.make(build_settings("post", str(tmp_path / "a.apt"), given | {"feed_mode": mode}))
         for mode in ("g93", "g94")
     ]
-    travelled = run_programs(kinematics, PINS[kinematics], [made.nc.decode() for made in posted])
-    for made, samples in zip(posted, travelled, strict=True):
+    travelled = run_programs(kinematics, PINS[kinematics], [result.nc.decode() for result in posted])
+    for result, samples in zip(posted, travelled, strict=True):
         samples[:, 3] -= LENGTH
-        program, tip = made.program, made.program.guided.tip
+        program, tip = result.program, result.program.guided.tip
         at = np.arange(1, len(tip))
         assert np.abs(tip - path.tip[program.row]).max() < 1e-4
         for k, block in zip(at, blocks_of(samples, program.line[at].tolist()), strict=True):

@@ -59,17 +59,17 @@ def begun(request, tmp_path_factory):
     """One start of the controller for each kinematics, with a program for each case."""
     kinematics, folder = request.param, tmp_path_factory.mktemp("ring")
     machine = import_machine(str(write_configuration(folder, kinematics, PINS[kinematics]))).machine
-    made = []
+    result = []
     for k, (start, rtcp) in enumerate(CASES):
         save_machine(replace(machine, safe_start=start), folder / f"{k}.fcm")
         path = some_joints(chain(machine, Setup(machine.origin)), blocks=3, seed=k).path
         (folder / "a.apt").write_bytes(write_apt(path, Cutter(10.0), "ring", head=ClHead(tool=TOOL)))
         given = {"machine": str(folder / f"{k}.fcm"), "rtcp": rtcp, "tool_length": LENGTH}
-        made.append((job.make(build_settings("post", str(folder / "a.apt"), given)), path))
-    samples = run_programs(kinematics, PINS[kinematics], [posted.nc.decode() for posted, _ in made])
+        result.append((job.make(build_settings("post", str(folder / "a.apt"), given)), path))
+    samples = run_programs(kinematics, PINS[kinematics], [posted.nc.decode() for posted, _ in result])
     return kinematics, [
         (start, posted, path, sample)
-        for (start, _), (posted, path), sample in zip(CASES, made, samples, strict=True)
+        for (start, _), (posted, path), sample in zip(CASES, result, samples, strict=True)
     ]
 
 

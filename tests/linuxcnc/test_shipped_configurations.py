@@ -55,7 +55,7 @@ def test_linuxcncs_own_simulation_is_the_shipped_machine_but_for_its_size(kind: 
         ),
     ],
 )
-def test_other_simulations_give_their_lines_and_what_is_to_be_said(name, axes, codes) -> None:
+def test_other_simulations_give_their_lines_and_what_is_to_be_stated(name, axes, codes) -> None:
     imported = import_machine(str(FIVE_AXIS / name))
     assert {axis.letter: (axis.side, axis.direction, axis.point) for axis in imported.machine.rotary} == axes
     assert [found.code for found in imported.findings] == codes

@@ -216,6 +216,6 @@ def test_an_offset_wrong_by_a_hundredth_of_a_millimetre_would_be_seen(travelled,
     assert np.abs(real_deviations(kinematics, program, samples) - predicted).max() > 3 * JOINT_TOLERANCE
 
 
-def test_a_program_that_the_controller_refuses_is_told() -> None:
+def test_a_program_that_the_controller_refuses_is_reported() -> None:
     with pytest.raises(AssertionError, match="the controller says"):
         run_programs("xyzac-trt-kins", PINS["xyzac-trt-kins"], ["G21\nG1 X1 X2 F100\nM2\n"])

@@ -54,8 +54,8 @@ class Desk:
         ]
         self.start(command, pass_fds=[outlet])
         os.close(outlet)
-        with os.fdopen(inlet) as told:
-            return ":" + told.readline().strip()
+        with os.fdopen(inlet) as reported:
+            return ":" + reported.readline().strip()
 
     def start(self, command: list[str], log: str = os.devnull, **more) -> subprocess.Popen:
         """Begin a program; what it says goes to the file ``log``."""
@@ -94,11 +94,11 @@ def _bus_address() -> str:
     return reply.unpack()[0]
 
 
-def _wait_for(asked, seconds: float) -> str:
+def _wait_for(wanted, seconds: float) -> str:
     end = time.monotonic() + seconds
-    while not (answer := asked()):
+    while not (answer := wanted()):
         if time.monotonic() > end:
-            raise TimeoutError(f"{asked.__name__} gives nothing within {seconds} s")
+            raise TimeoutError(f"{wanted.__name__} gives nothing within {seconds} s")
         time.sleep(0.1)
     return answer
 
@@ -111,9 +111,16 @@ def tell_root_window(name: str, text: str) -> None:
         call.restype = ctypes.c_ulong
     display = ctypes.c_void_p(x.XOpenDisplay(None))
     atom = ctypes.c_ulong(x.XInternAtom(display, name.encode(), 0))
-    string, replace, said = ctypes.c_ulong(31), 0, text.encode()
+    string, replace, message = ctypes.c_ulong(31), 0, text.encode()
     x.XChangeProperty(
-        display, ctypes.c_ulong(x.XDefaultRootWindow(display)), atom, string, 8, replace, said, len(said)
+        display,
+        ctypes.c_ulong(x.XDefaultRootWindow(display)),
+        atom,
+        string,
+        8,
+        replace,
+        message,
+        len(message),
     )
     x.XCloseDisplay(display)
 
@@ -126,7 +133,7 @@ def run_quietly(command: list[str], seconds: float = 120, **environment: str) ->
             timeout=seconds, check=False,
         )  # fmt: skip
         out.seek(0)
-        said = out.read().decode(errors="replace")
+        message = out.read().decode(errors="replace")
     if done.returncode:
-        raise RuntimeError(f"{command[0]} failed (code {done.returncode}):\n{said[-2000:]}")
-    return said
+        raise RuntimeError(f"{command[0]} failed (code {done.returncode}):\n{message[-2000:]}")
+    return message

@@ -72,7 +72,7 @@ class Thing:
     @property
     def role(self) -> str:
         return {"button": "push button", "tree item": "table cell"}.get(
-            said := self._ask("GetRoleName")[0], said
+            message := self._ask("GetRoleName")[0], message
         )
 
     @property
@@ -175,9 +175,9 @@ def is_seen(thing: Thing) -> bool:
     return _there(lambda: thing.has(SHOWING), False)
 
 
-def _there(asked, otherwise):
+def _there(request, otherwise):
     try:
-        return asked()
+        return request()
     except GLib.Error as error:
         if error.matches(Gio.io_error_quark(), Gio.IOErrorEnum.TIMED_OUT):
             raise TimeoutError("the window does not answer") from error
@@ -207,11 +207,11 @@ class Watch(threading.Thread):
 
     def run(self) -> None:
         while self.running:
-            asked, before = time.monotonic(), self.waits()
+            request, before = time.monotonic(), self.waits()
             with contextlib.suppress(GLib.Error):  # the program has gone
                 self.bus.ask(self.name_on_bus, ROOT, ACCESSIBLE, "GetRole")
-            took = time.monotonic() - asked
-            self.silences.append((asked + took, max(0.0, took - self.starved(before))))
+            took = time.monotonic() - request
+            self.silences.append((request + took, max(0.0, took - self.starved(before))))
             time.sleep(max(0.0, self.EVERY - took))
 
     def waits(self) -> dict[int, float]:

@@ -191,11 +191,11 @@ def post_process(user: Sitting, camera: Camera) -> None:
     camera.click(button(user, "Post-process.*"), "4  Post-process")
     user.nc_file = user.eyes.find("text", "The NC file to write").text
     camera.click(button(user, "OK"), "5  OK writes the NC file")
-    told = user.eyes.find("dialog", "NC file written", 60)
+    reported = user.eyes.find("dialog", "NC file written", 60)
     time.sleep(0.5)
     camera.still("first-6-written")
     camera.frame(2.5, tell="The NC file is written")
-    user.hands.click(user.eyes.find("push button", "Close", below=told))
+    user.hands.click(user.eyes.find("push button", "Close", below=reported))
     user.eyes.gone("push button", "OK")
 
 

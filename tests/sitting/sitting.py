@@ -135,9 +135,9 @@ class Sitting:
     def look(self) -> None:
         """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what
         FreeCAD says."""
-        said = self.new_in_log()
+        message = self.new_in_log()
         self.alive()
-        bad = wrong(said)
+        bad = wrong(message)
         if bad:
             raise Unseen("FreeCAD says: " + bad[-1].strip()[:200])
         red = self.red_lines() if self.eyes and self.program.poll() is None else []
@@ -148,9 +148,9 @@ class Sitting:
         """What FreeCAD has said since the last look, on its terminal and in the report view."""
         with open(self.log, "rb") as file:
             file.seek(self.read)
-            said = file.read()
-            self.read += len(said)
-        return said.decode(errors="replace")
+            message = file.read()
+            self.read += len(message)
+        return message.decode(errors="replace")
 
     def red_lines(self) -> list[str]:
         """The texts of the red lines that are showing."""
@@ -211,9 +211,9 @@ class Sitting:
         self.hands.counting = False
         try:
             for _ in range(3):  # a window that is just being closed swallows keys
-                said = self._type(expression)
-                if said is not None:
-                    return said
+                message = self._type(expression)
+                if message is not None:
+                    return message
             raise Unseen(f"the console does not answer {expression}")
         finally:
             self.hands.counting = True
@@ -242,9 +242,9 @@ class Sitting:
         return self.eyes.find("text", below=dock)
 
 
-def wrong(said: str) -> list[str]:
+def wrong(message: str) -> list[str]:
     """The lines that tell of an error which is not FreeCAD's own, nor the machine's."""
-    return [line for line in said.splitlines() if BAD.search(line) and not NOT_OURS.search(line)]
+    return [line for line in message.splitlines() if BAD.search(line) and not NOT_OURS.search(line)]
 
 
 def table(rows: list[Row], version: str) -> str:

@@ -22,9 +22,9 @@ ANSWERS = 20
 
 def install(user: Sitting) -> None:
     """As the README says: make install."""
-    said = run_quietly([os.path.join(PROJECT, "scripts", "install")])
-    if "->" not in said:
-        raise Unseen(f"install made no link: {said}")
+    read_message = run_quietly([os.path.join(PROJECT, "scripts", "install")])
+    if "->" not in read_message:
+        raise Unseen(f"install made no link: {read_message}")
 
 
 def start(user: Sitting) -> None:
@@ -83,7 +83,7 @@ def tool_path(user: Sitting) -> None:
 def turn_wheel(user: Sitting) -> None:
     """Turn the wheel over the panel's boxes: the panel scrolls, and no value changes."""
     boxes = [*user.eyes.all("combo box"), *user.eyes.all("spin box")]
-    inside = [(box, said(box)) for box in boxes if panel_holds(user, box)]
+    inside = [(box, read_message(box)) for box in boxes if panel_holds(user, box)]
     if not inside:
         raise Unseen("no box in the panel")
     for box, _ in inside:
@@ -92,12 +92,12 @@ def turn_wheel(user: Sitting) -> None:
         user.hands.wheel(2)
         user.hands.wheel(-2)
     time.sleep(0.3)
-    changed = [f"{was} to {said(box)}" for box, was in inside if said(box) != was]
+    changed = [f"{was} to {read_message(box)}" for box, was in inside if read_message(box) != was]
     if changed:
         raise Unseen(f"the wheel has changed {changed}")
 
 
-def said(box) -> str:
+def read_message(box) -> str:
     """What stands in a combo box or spin box."""
     return box.name + "|" + (box.text if box.role == "spin box" else "")
 
@@ -166,13 +166,13 @@ def keep(user: Sitting) -> None:
 def agree(user: Sitting, anyway: str, panel: str) -> None:
     """Wait until the panel with that button is closed; what is asked before is answered by the button
     ``anyway``."""
-    asked = user.until(
+    wanted = user.until(
         lambda: user.eyes.see("push button", anyway) or not user.eyes.see("push button", panel),
         60,
         "the panel to close or to ask",
     )
-    if asked is not True:
-        user.hands.click(asked)
+    if wanted is not True:
+        user.hands.click(wanted)
         user.eyes.gone("push button", panel, 60)
 
 
@@ -205,18 +205,18 @@ def post_process(user: Sitting) -> None:
     user.press_tool("Post-process.*")
     user.nc_file = user.eyes.find("text", "The NC file to write").text
     user.press("OK")
-    asked = user.until(
+    wanted = user.until(
         lambda: user.eyes.see("push button", "Write anyway") or os.path.isfile(user.nc_file),
         60,
         f"{user.nc_file}, or a question",
     )
-    if asked is not True:
-        user.hands.click(asked)
+    if wanted is not True:
+        user.hands.click(wanted)
         user.until(lambda: os.path.isfile(user.nc_file), 60, user.nc_file)
-    told = user.eyes.find("dialog", "NC file written")
+    reported = user.eyes.find("dialog", "NC file written")
     for name in ("Open", "Show folder"):
-        user.eyes.find("push button", name, below=told)
-    user.hands.click(user.eyes.find("push button", "Close", below=told))
+        user.eyes.find("push button", name, below=reported)
+    user.hands.click(user.eyes.find("push button", "Close", below=reported))
     user.eyes.gone("push button", "OK")
 
 
@@ -301,10 +301,10 @@ def step_file(user: Sitting) -> None:
     time.sleep(0.5)
     user.hands.write(user.part.replace("FCStd", "step"))
     user.hands.press("Return")
-    asked = user.until(
+    wanted = user.until(
         lambda: user.row("Imported") or user.eyes.see("dialog", "STEP.*"), 30, "the part, or how to import it"
     )
-    if asked.role == "dialog":  # from FreeCAD 1.0 on
+    if wanted.role == "dialog":  # from FreeCAD 1.0 on
         user.hands.press("Return")
     user.hands.click(user.in_tree("Imported", 30))
     tool_path(user)
@@ -358,13 +358,13 @@ FREECADS_OWN = ("Install", "Start", "Workbench", "Open a part", "Save", "Close",
 
 
 def main() -> int:
-    said = argparse.ArgumentParser()
-    said.add_argument("form", nargs="?", choices=("short", "long"), default="short")
-    said.add_argument(
+    read_message = argparse.ArgumentParser()
+    read_message.add_argument("form", nargs="?", choices=("short", "long"), default="short")
+    read_message.add_argument(
         "--limit", type=float, default=LIMIT, help="s that the window may be silent in a step of ours"
     )
-    said.add_argument("--keep", action="store_true")
-    asked = said.parse_args()
+    read_message.add_argument("--keep", action="store_true")
+    wanted = read_message.parse_args()
     with Desk() as desk:
         part = os.path.join(os.environ["HOME"], "part.FCStd")
         version = make_part(part)
@@ -373,8 +373,8 @@ def main() -> int:
         os.makedirs(folder)
         user = Sitting(desk, folder, part)
         good = all(
-            user.do(name, step, None if name in FREECADS_OWN else asked.limit)
-            for name, step in (LONG if asked.form == "long" else SHORT)
+            user.do(name, step, None if name in FREECADS_OWN else wanted.limit)
+            for name, step in (LONG if wanted.form == "long" else SHORT)
         )
         with open(os.path.join(folder, "table.md"), "w", encoding="utf-8") as file:
             file.write(table(user.rows, version))

@@ -57,7 +57,7 @@ def copy_of_the_add_on(folder):
 @needs_a_desk
 @pytest.mark.parametrize("kind", BROKEN)
 def test_a_broken_add_on_fails_where_a_user_would_meet_it(kind, tmp_path):
-    file, after, line, step, said = BROKEN[kind]
+    file, after, line, step, message = BROKEN[kind]
     path = copy_of_the_add_on(tmp_path / "copy") / file
     text = path.read_text()
     assert after in text, "the code has changed: put the fault elsewhere"
@@ -69,7 +69,7 @@ def test_a_broken_add_on_fails_where_a_user_would_meet_it(kind, tmp_path):
     assert done.returncode == 1, done.stdout
     steps = re.findall(r"^sitting: (.*?) +\d+ clicks", done.stdout, re.MULTILINE)
     assert re.fullmatch(step, steps[-1]), done.stdout
-    assert re.search("FAILED: .*" + said, done.stdout), done.stdout
+    assert re.search("FAILED: .*" + message, done.stdout), done.stdout
 
 
 def test_without_freecad_it_says_that_it_skipped(tmp_path):
