@@ -35,7 +35,7 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.pipeline.settings import REACH, build_settings
 from freecad_fiveaxis.core.studies import study
 from freecad_fiveaxis.core.studies.reach_map import ReachMap as Chart
-from freecad_fiveaxis.core.studies.reach_report import share_reached, verdict
+from freecad_fiveaxis.core.studies.reach_report import flank_remedy, name_shut, share_reached, verdict
 from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 
 from . import compared, convert, results, selection, tessellation, wording
@@ -53,9 +53,10 @@ from .toolpath import Toolpath, check_fixtures, mesh_is_gone
 ENOUGH = 0.9
 """Of the area that only the holder keeps from being cut."""
 AREAS = {
-    Obstacle.NONE: "ReachableArea", Obstacle.CUTTER: "TighterThanCutter", Obstacle.SHANK: "ShankInTheWay",
+    Obstacle.NONE: "ReachableArea", Obstacle.CUTTER: "TighterThanCutter",
+    Obstacle.FLANK: "FlankInTheWay", Obstacle.SHANK: "ShankInTheWay",
     Obstacle.HOLDER: "HolderInTheWay", Obstacle.MACHINE: "MachineInTheWay", Obstacle.TABLE: "BelowTable",
-    Obstacle.LIMITS: "BeyondMachine",
+    Obstacle.LIMITS: "BeyondMachine", Obstacle.HOLLOW: "InClosedHollow",
 }  # fmt: skip
 """The property that holds the area of each reason, in the order of the legend."""
 WORTH = 3
@@ -304,8 +305,8 @@ def radius_too_large(found: Last) -> float:
 
 
 def advice(found: Last) -> list[Sentence]:
-    """Return what would help where the holder is in the way, and where the cutter is too large: a sentence
-    each."""
+    """Return what would help where the holder is in the way, and where the cutter is too large or its
+    flank in the way, and what of that the tool does not get away from: a sentence each."""
     chart = found.chart
     held, (step, area) = compute_held_area(chart), stick_out(chart)
     by_machine = chart.area_of(Obstacle.MACHINE) > 0.0
@@ -340,7 +341,9 @@ def advice(found: Last) -> list[Sentence]:
         sentences.append(
             say("Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area.")
         )
-    return sentences
+    if flank := chart.area_of(Obstacle.FLANK):
+        sentences.append(flank_remedy(flank))
+    return [*sentences, *name_shut(chart)]
 
 
 def _show(obj: Any, found: Last) -> None:

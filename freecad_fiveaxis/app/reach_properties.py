@@ -52,8 +52,15 @@ PROPERTIES = (
     ),
     Property(
         "TighterThanCutter", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter itself would enter the part"), 0.0,
-        RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter's end would enter the part, however "
+            "it leans"),
+        0.0, RESULT,
+    ),
+    Property(
+        "FlankInTheWay", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter's end would be free, but not what of "
+            "the cutter is above it"),
+        0.0, RESULT,
     ),
     Property(
         "ShankInTheWay", "App::PropertyArea", "Result",
@@ -80,6 +87,12 @@ PROPERTIES = (
         "BeyondMachine", "App::PropertyArea", "Result",
         QT_TRANSLATE_NOOP("App::Property", "Surface for which no axis that was tried is within the machine's "
             "limits"),
+        0.0, RESULT,
+    ),
+    Property(
+        "InClosedHollow", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Surface in hollows of the part that are closed all round: no "
+            "tool gets in"),
         0.0, RESULT,
     ),
     Property(

@@ -26,11 +26,13 @@ def reason_text(obstacle: Obstacle) -> str:
     return {
         Obstacle.NONE: translate("FiveAxis", "reached"),
         Obstacle.CUTTER: translate("FiveAxis", "cutter too large"),
+        Obstacle.FLANK: translate("FiveAxis", "cutter's flank in the way"),
         Obstacle.SHANK: translate("FiveAxis", "shank in the way"),
         Obstacle.HOLDER: translate("FiveAxis", "holder in the way"),
         Obstacle.MACHINE: translate("FiveAxis", "machine in the way"),
         Obstacle.TABLE: translate("FiveAxis", "below the table"),
         Obstacle.LIMITS: translate("FiveAxis", "beyond the machine's limits"),
+        Obstacle.HOLLOW: translate("FiveAxis", "in a closed hollow"),
     }[obstacle]
 
 

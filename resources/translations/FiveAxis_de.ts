@@ -432,6 +432,10 @@
         <translation>Spannmittel</translation>
     </message>
     <message>
+        <source>Flank In The Way</source>
+        <translation>Flanke im Weg</translation>
+    </message>
+    <message>
         <source>Fold Legend</source>
         <translation>Legende einklappen</translation>
     </message>
@@ -554,6 +558,10 @@
     <message>
         <source>How thick the jaws of a vise are of which is told how high they may reach</source>
         <translation>Wie dick die Schraubstockbacken sind, von denen gesagt wird, wie hoch sie reichen dürfen</translation>
+    </message>
+    <message>
+        <source>In Closed Hollow</source>
+        <translation>In geschlossenem Hohlraum</translation>
     </message>
     <message>
         <source>Jaw Thickness</source>
@@ -1192,6 +1200,10 @@
         <translation>Fläche, für die keine versuchte Achse in den Grenzen der Maschine liegt</translation>
     </message>
     <message>
+        <source>Surface in hollows of the part that are closed all round: no tool gets in</source>
+        <translation>Fläche in Hohlräumen des Werkstücks, die ringsum geschlossen sind: Kein Werkzeug kommt hinein</translation>
+    </message>
+    <message>
         <source>Surface that the tool reaches, with an axis that was tried</source>
         <translation>Fläche, die das Werkzeug mit einer versuchten Achse erreicht</translation>
     </message>
@@ -1208,12 +1220,16 @@
         <translation>Fläche, bei der Fräser und Schaft frei wären, der Halter aber nicht</translation>
     </message>
     <message>
-        <source>Surface where the cutter itself would enter the part</source>
-        <translation>Fläche, bei der schon der Fräser ins Werkstück dränge</translation>
-    </message>
-    <message>
         <source>Surface where the cutter would be free, but not the shank</source>
         <translation>Fläche, bei der der Fräser frei wäre, der Schaft aber nicht</translation>
+    </message>
+    <message>
+        <source>Surface where the cutter's end would be free, but not what of the cutter is above it</source>
+        <translation>Fläche, bei der das Ende des Fräsers frei wäre, aber nicht, was vom Fräser darüber ist</translation>
+    </message>
+    <message>
+        <source>Surface where the cutter's end would enter the part, however it leans</source>
+        <translation>Fläche, bei der schon das Ende des Fräsers ins Werkstück dränge, wie auch immer er geneigt ist</translation>
     </message>
     <message>
         <source>Surface where the tool would be free, but bodies of the machine are in the way</source>
@@ -3767,6 +3783,10 @@
         <translation>Fräser zwischen Bahnen {depth} im Werkstück</translation>
     </message>
     <message>
+        <source>cutter's flank in the way</source>
+        <translation>Flanke des Fräsers im Weg</translation>
+    </message>
+    <message>
         <source>cutting the mesh</source>
         <translation>Netz schneiden</translation>
     </message>
@@ -3841,6 +3861,10 @@
     <message>
         <source>impossible: {why}</source>
         <translation>unmöglich: {why}</translation>
+    </message>
+    <message>
+        <source>in a closed hollow</source>
+        <translation>in einem geschlossenen Hohlraum</translation>
     </message>
     <message>
         <source>in proportion</source>
@@ -4748,6 +4772,10 @@
         <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für die ganze Umdrehung hat: mitten im Schnitt dreht sie {after}-mal zurück statt {before}-mal.</translation>
     </message>
     <message>
+        <source>Cutter's flank in the way ({area}): its end fits, what is above it does not, as under an overhang; a smaller radius need not help, a lollipop or another setup may.</source>
+        <translation>Flanke des Fräsers im Weg ({area}): Sein Ende passt, was darüber ist nicht, wie unter einem Überhang; ein kleinerer Radius hilft nicht unbedingt, vielleicht ein Lollipop-Fräser oder eine andere Aufspannung.</translation>
+    </message>
+    <message>
         <source>Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by {rapids}.</source>
         <translation>Die Achsgruppen nacheinander bewegen oder, wenn die Steuerung Eilgänge interpoliert, dies in der Maschinendatei oder mit {rapids} angeben.</translation>
     </message>
@@ -5132,12 +5160,20 @@
         <translation>Von den Werkzeugen der Datei ({listed}) werden die Bewegungen von Werkzeug {tool} genommen: {count} von {all}.</translation>
     </message>
     <message>
+        <source>Of what is reachable, {area} are the underside on which the part stands: mill cuts it only with {max_axis_angle}.</source>
+        <translation>Vom Erreichbaren sind {area} die Unterseite, auf der das Werkstück steht: Gefräst wird sie nur mit {max_axis_angle}.</translation>
+    </message>
+    <message>
         <source>Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.</source>
         <translation>Von {whole} bearbeiteter Fläche ist alles gefräst: nicht mehr als {allowed} bleibt stehen, nichts ist zu tief.</translation>
     </message>
     <message>
         <source>Of {whole} that are machined, {parts}.</source>
         <translation>Von {whole} bearbeiteter Fläche: {parts}.</translation>
+    </message>
+    <message>
+        <source>On about {area} of what is reachable the tool cannot be drawn out along any axis tried: mill leaves out passes that lead nowhere else.</source>
+        <translation>Auf etwa {area} des Erreichbaren lässt sich das Werkzeug entlang keiner probierten Achse herausziehen: Bahnen, die von dort nicht weiterführen, werden beim Fräsen ausgelassen.</translation>
     </message>
     <message>
         <source>On steep walls {count} of the passes stand no closer than {least}: material up to {height} high stays between them where scallops of {scallop} are asked. Give a smaller {option}, or turn the passes along the walls.</source>
@@ -5188,6 +5224,14 @@
         <translation>Auf {length} der Bahnen, zuerst bei {place}, berührt der Tonnenfräser mit der Kugel von {corner} an seiner Spitze, nicht mit seiner Flanke, und die Kuppen werden so hoch, wie diese Kugel sie lässt. Die Achse um {begins} bis {most} zur Flächennormalen neigen, etwa mit {tilt} {middle}.</translation>
     </message>
     <message>
+        <source>Over {length} of the passes, the first at {place}, the part is round the tool on all sides, a closed hollow into which no tool gets; they are left out.</source>
+        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkstück auf allen Seiten um das Werkzeug, ein geschlossener Hohlraum, in den kein Werkzeug kommt; sie werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or cut this side in another setup.</source>
+        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder diese Seite in einer anderen Aufspannung fräsen.</translation>
+    </message>
+    <message>
         <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.</source>
         <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder einen kleineren Halter nehmen.</translation>
     </message>
@@ -5222,6 +5266,10 @@
     <message>
         <source>RTP, RFP and its depth do not lie one below the other</source>
         <translation>RTP, RFP und seine Tiefe liegen nicht untereinander</translation>
+    </message>
+    <message>
+        <source>Reachable is where the tool can stand; whether it gets there and away again is not asked.</source>
+        <translation>Erreichbar ist, wo das Werkzeug stehen kann; ob es dorthin und wieder weg kommt, wird nicht gefragt.</translation>
     </message>
     <message>
         <source>Right is +X of the machine, back is +Y (away from you), up is +Z. If your machine's axes point elsewhere, stand so that they do.</source>
@@ -5632,8 +5680,8 @@
         <translation>Der Werkzeugweg von {label} wurde gelöscht: die Karte eines anderen erstellen.</translation>
     </message>
     <message>
-        <source>The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Give {max_axis_angle} to cut them as well.</source>
-        <translation>Die Unterseite bei Z {height} wird nicht bearbeitet: Darauf steht das Teil ({area}, {share} %). Mit {max_axis_angle} wird auch sie bearbeitet.</translation>
+        <source>The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Cut them in another setup; with the part held off the table, {max_axis_angle} has them cut in this one.</source>
+        <translation>Die Unterseite bei Z {height} wird nicht bearbeitet: Darauf steht das Teil ({area}, {share} %). Fräsen Sie sie in einer anderen Aufspannung; ist das Teil über dem Tisch gehalten, wird sie mit {max_axis_angle} auch in dieser bearbeitet.</translation>
     </message>
     <message>
         <source>The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part over to cut it.</source>
@@ -5718,6 +5766,10 @@
     <message>
         <source>These touch each other with all axes at zero, so they are taken for neighbours and were not looked at against each other: {names}.</source>
         <translation>Diese berühren einander, wenn alle Achsen auf null stehen; sie gelten als Nachbarn und wurden nicht gegeneinander geprüft: {names}.</translation>
+    </message>
+    <message>
+        <source>Tighter than the cutter ({area}): its end does not fit there; use a smaller radius.</source>
+        <translation>Zu eng für den Fräser ({area}): Sein Ende passt dort nicht hinein; nehmen Sie einen kleineren Radius.</translation>
     </message>
     <message>
         <source>Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first {first} {second}; a setting of the machine may choose another. Compare with the control.</source>
@@ -6520,6 +6572,10 @@
         <translation>Fräser {text}: im Angebot sind nur {kinds}; schreiben wie {form}</translation>
     </message>
     <message>
+        <source>cutter's flank in the way</source>
+        <translation>Flanke des Fräsers im Weg</translation>
+    </message>
+    <message>
         <source>cutter, shank and holder stay</source>
         <translation>Fräser, Schaft und Halter bleiben</translation>
     </message>
@@ -6786,6 +6842,10 @@
     <message>
         <source>how the axes come to the first block, and where they go behind the last: where they stand before the program is not known, so nothing was looked at there</source>
         <translation>wie die Achsen zum ersten Satz kommen und wohin sie nach dem letzten fahren: Wo sie vor dem Programm stehen, ist nicht bekannt, also wurde dort nichts geprüft</translation>
+    </message>
+    <message>
+        <source>in a closed hollow, where no tool gets in</source>
+        <translation>in einem geschlossenen Hohlraum, in den kein Werkzeug kommt</translation>
     </message>
     <message>
         <source>in a feed block all axes run in proportion to each other</source>

@@ -291,3 +291,98 @@ def test_of_steps_that_reach_the_same_the_shortest_is_named():
     found = SimpleNamespace(longer=((5.0, 275.1), (20.0, 275.2), (40.0, 310.0)))
     texts = [str(one) for one in reach_report.stick_out(found)]
     assert len(texts) == 2 and "5 mm farther" in texts[0] and "40 mm farther" in texts[1]
+
+
+def roofed(gap, length=40.0):
+    """A floor 24 mm wide at Z 10 under a roof ``gap`` mm above it, between walls 34 mm apart: a mouth of 10 mm
+    in the middle of the roof, its ends open."""
+    low, high = 10.0 + gap, 30.0 + gap
+    outline = [(-30, 0), (30, 0), (30, high), (5, high), (5, low), (17, low), (17, 10), (-17, 10)]
+    return profile(np.array([*outline, (-17, low), (-5, low), (-5, high), (-30, high)]), length)
+
+
+def under_roof(found, length):
+    """The places of that floor that lie under the roof and farther than a ball of 6 mm from walls, mouth and
+    ends."""
+    x, y, z = found.point.T
+    return np.isclose(z, 10.0) & (np.abs(x) > 9.0) & (np.abs(x) < 13.5) & (np.abs(y - length / 2.0) < 20.0)
+
+
+@pytest.mark.parametrize("kind", ["ball", "flat"])
+def test_where_the_end_fits_under_a_roof_and_the_rest_does_not_it_is_the_flank(kind, coarse):
+    """The roof is 9 mm over the floor: a ball of 6 mm fits below it, and so does as much of a flat cutter,
+    but no cutter 30 mm long, which leaves the roof beside by 10 mm at most. Under a roof 5 mm over the floor
+    not even the end fits."""
+    cutter = BALL if kind == "ball" else Cutter(6.0, 30.0, 0.0)
+    for gap, reason in ((9.0, Obstacle.FLANK), (5.0, Obstacle.CUTTER)):
+        mesh = roofed(gap, 120.0)
+        found = reach_map(
+            mesh, Reacher(cutter), np.isclose(mesh.vertex[mesh.face][:, :, 2], 10.0).all(axis=1)
+        )
+        some = under_roof(found, 120.0)
+        assert some.any() and (found.obstacle[some] == reason).all(), gap
+
+
+def test_a_lollipop_reaches_under_the_roof_where_the_flank_of_a_ball_is_in_the_way(coarse):
+    mesh = roofed(9.0, 120.0)
+    ball, lollipop = (reach_map(mesh, Reacher(one)) for one in (BALL, Cutter(6.0, 30.0, neck=3.0)))
+    some = under_roof(ball, 120.0)
+    assert (ball.obstacle[some] == Obstacle.FLANK).all() and some.any()
+    assert (lollipop.obstacle[some] == Obstacle.NONE).all() and lollipop.area_of(Obstacle.FLANK) == 0.0
+
+
+def test_end_and_flank_in_the_way_have_a_remedy_each_where_there_is_some(coarse):
+    mesh = roofed(9.0, 120.0)
+    texts = [str(one) for one in reach_report.remedies(reach_map(mesh, Reacher(BALL)))]
+    assert len(texts) == 2 and "smaller radius" in texts[0] and "lollipop" in texts[1]
+    narrow = [str(one) for one in reach_report.remedies(reach_map(slot(5.0, 20.0), Reacher(BALL)))]
+    assert len(narrow) == 1 and "smaller radius" in narrow[0]
+    assert reach_report.remedies(reach_map(block(), Reacher(BALL))) == ()
+
+
+def cavity():
+    """A block with a cavity 40 x 40 mm inside, 160 mm long, open to a slit of 1 mm above, and plates that close
+    its ends."""
+    outline = [(-30, 0), (30, 0), (30, 60), (0.5, 60), (0.5, 50), (20, 50), (20, 10), (-20, 10), (-20, 50)]
+    mesh = profile(np.array([*outline, (-0.5, 50), (-0.5, 60), (-30, 60)]), 160.0)
+    square = np.array([(-30, 0), (30, 0), (30, 60), (-30, 60)], float)
+    plate = [rectangle(*([x, y, z] for x, z in square)) for y in (0.0, 160.0)]
+    return mesh, [Fixture(f"plate {k}", from_triangles(np.array(one, float))) for k, one in enumerate(plate)]
+
+
+def test_where_the_tool_stands_freely_but_cannot_be_drawn_out_is_reported_with_its_area(coarse):
+    """It is no closed hollow, for the slit is open, but no ball of 6 mm gets through that."""
+    mesh, plates = cavity()
+    x, _, z = mesh.vertex[mesh.face].mean(axis=1).T
+    within = (np.abs(x) < 20.1) & (z > 9.9) & (z < 50.1)
+    found = reach_map(mesh, Reacher(Cutter(6.0, 15.0)), within, fixtures=plates)
+    assert found.area_of(Obstacle.HOLLOW) == 0.0 and found.area_of(Obstacle.NONE) > 0.8 * found.area.sum()
+    assert found.shut == pytest.approx(found.area_of(Obstacle.NONE))
+    (text,) = reach_report.name_shut(found)
+    assert "cannot be drawn out" in text
+    free = reach_map(block(), Reacher(Cutter(6.0, 15.0)))
+    assert free.shut == 0.0 and reach_report.name_shut(free) == ()
+
+
+def test_every_report_says_that_the_way_there_is_not_requested_and_what_the_part_stands_on(
+    tmp_path, capsys, coarse
+):
+    """A cube of 20 mm: 400 of 2400 mm2 are its underside, which mill leaves out. With faces chosen it does
+    not, and over a table the tool does not get there."""
+    low, high = (0.0, 0.0), (20.0, 20.0)
+    shape, path = profile(np.array([low, (20, 0), high, (0, 20)]), 20.0), tmp_path / "cube.stl"
+    write_stl(shape, path)
+    words = ["reach", str(path), "--machine", "trunnion_ac", "--cutter", "ball:6:30"]
+    reports = [tmp_path / f"reach{ending}" for ending in (".json", ".html")]
+    reported = [*words, *(word for one in reports for word in ("--report", str(one)))]
+    assert cli.main(reported) == cli.DONE
+    message, page = capsys.readouterr().out, reports[1].read_text()
+    summary = json.loads(reports[0].read_text())["summary"]
+    caveat = str(reach_report.WAYS)
+    assert caveat in message and caveat in page and summary["note"] == caveat
+    flat = " ".join(message.split())
+    assert "400 mm2 are the underside" in flat and "only with --max-axis-angle" in flat
+    assert "are the underside" in page and summary["standing_area"] == pytest.approx(400.0)
+    for more in (["--faces", str(path)], ["--table-height", "0", "--origin", "0,0,0"]):
+        assert cli.main([*reported, *more]) == cli.DONE
+        assert "are the underside" not in capsys.readouterr().out, more

@@ -66,6 +66,7 @@ def test_a_block_stands_on_its_underside_and_on_nothing_else():
     assert (mesh.normal[standing] == [0.0, 0.0, -1.0]).all()
     (one,) = report_standing(mesh, standing)
     assert one.value == pytest.approx(600.0) and "--max-axis-angle" in str(one.text) and one.place[2] == 0.0
+    assert "another setup" in str(one.text) and "held off the table" in str(one.text)
 
 
 @pytest.mark.parametrize("turn", [0.0, 45.0, 180.0])

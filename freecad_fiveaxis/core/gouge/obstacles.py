@@ -43,15 +43,19 @@ ROWS = 64
 
 
 class Obstacle(IntEnum):
-    """Why the tool does not get to a place, in the order in which axes are asked; the last is no obstacle."""
+    """Why the tool does not get to a place, in the order in which axes are asked; in a closed hollow none is,
+    and the last is no obstacle. Whether it is the cutter's end that enters or its flank, a reach map asks
+    (:mod:`~freecad_fiveaxis.core.studies.reach_map`); :func:`obstacles` says CUTTER of both."""
 
-    LIMITS = 0
-    TABLE = 1
-    CUTTER = 2
-    SHANK = 3
-    HOLDER = 4
-    MACHINE = 5
-    NONE = 6
+    HOLLOW = 0
+    LIMITS = 1
+    TABLE = 2
+    CUTTER = 3
+    FLANK = 4
+    SHANK = 5
+    HOLDER = 6
+    MACHINE = 7
+    NONE = 8
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Length, Number, Point, Sentence, join_sentences, say
+from freecad_fiveaxis.core.base.sentences import Number, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
@@ -349,22 +349,3 @@ def _say_blocked(fields: Mapping[str, Any], blocking: Ints, blockers: Sequence[B
         share=Number(100.0 * rest, ".3g"),
     )
     return text if rest < FEW else join_sentences((text, besides))
-
-
-def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:
-    """Say over which length of ``path`` the tool does not get out along its axis, where ``rows`` (k,) are all
-    that is kept."""
-    out = np.ones(len(path.point), np.bool_)
-    out[rows] = False
-    steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), np.diff(path.polyline) == 0
-    length = float(steps[joined & (out[1:] | out[:-1])].sum())
-    if not length:
-        return ()
-    x, y, z = path.point[int(out.argmax())].tolist()
-    text = say(
-        "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and "
-        "it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.",
-        length=Length(length, ".4g"),
-        place=Point((x, y, z)),
-    )
-    return (report_finding(Code.NO_WAY_OUT, text, length, 0.0, place=(x, y, z)),)

@@ -42,8 +42,8 @@ def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
         return ()
     area, (x, y, z) = measure_facets(mesh, standing)
     text = say(
-        "The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Give "
-        "{max_axis_angle} to cut them as well.",
+        "The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Cut "
+        "them in another setup; with the part held off the table, {max_axis_angle} has them cut in this one.",
         height=Length(round(z, 3) + 0.0, bare=True), area=Area(area, ".6g"),
         share=Number(100.0 * area / float(mesh.area.sum()), ".3g"), max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip

@@ -20,13 +20,13 @@ from freecad_fiveaxis.core.orientation.auto_axis import (
     divide_path,
     find_contacts,
     refine_field,
-    report_no_way_out,
     select_rows_with_way_out,
 )
 from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS
 from freecad_fiveaxis.core.orientation.facets_with_axis import AxisField
 from freecad_fiveaxis.core.orientation.free_in_frames import by_frame, free_in_frames
 from freecad_fiveaxis.core.orientation.free_turns import divide_blocked_turns
+from freecad_fiveaxis.core.orientation.no_way_out import report_no_way_out
 from freecad_fiveaxis.core.orientation.order_with_axes import order_with_axes
 from freecad_fiveaxis.core.orientation.sideways import add_retreats, neck_entering
 from freecad_fiveaxis.core.orientation.strategies import FACE_NORMAL, tool_axes
@@ -106,7 +106,7 @@ def free_rows(
     offset = break_polylines(offset, ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
     free = add_retreats(offset, axis, free, mesh, reacher, progress)
     rows = select_rows_with_way_out(free, offset.polyline)
-    found += report_no_way_out(offset, rows)
+    found += report_no_way_out(offset, rows, context.mesh, reacher)
     offset, axis, free = _keep_rows(offset, axis, free, rows)
     if not len(free):
         raise ReachError(_NOTHING_FREE, None)
@@ -132,7 +132,7 @@ def select_framed_rows(
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
     free = add_retreats(offset, axis, free, context.obstacles, reacher, context.progress)
     rows = select_rows_with_way_out(free, offset.polyline)
-    found += report_no_way_out(offset, rows)
+    found += report_no_way_out(offset, rows, context.mesh, reacher)
     offset, axis, free = _keep_rows(offset, axis, free, rows)
     if not len(free):
         raise ReachError(_NOTHING_FREE, None)

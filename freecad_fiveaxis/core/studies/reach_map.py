@@ -7,7 +7,11 @@ place     the surface is divided into triangles no larger than a spacing; each s
           ever farther from it.
 obstacle  what ends the tries: the one that the luckiest axis met. An axis first has to be within the
           machine's limits, the tool then above the table, then cutter, shank and holder out of the part, then
-          bodies of the machine out of the way.
+          bodies of the machine out of the way. Of the cutter its end is asked first: where that enters, the
+          place is tighter than the cutter; where only what is above it does, the flank is in the way. What
+          looks into a closed hollow is not tried: the tool may stand freely in there, but never gets in.
+end       of a ball, or of a cutter that ends in one, that ball; of others as much from the bottom up as they
+          are wide.
 
 It is as fine as its places and axes: what it calls reachable is (that axis was tried), what it does not may
 still be, under an axis between those tried.
@@ -18,7 +22,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,11 +33,20 @@ from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, join_obstacles
-from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, enters, obstacles, stick_out_farther
+from freecad_fiveaxis.core.gouge.hollows import find_hollow_facets
+from freecad_fiveaxis.core.gouge.obstacles import (
+    Obstacle,
+    Reacher,
+    enters,
+    obstacles,
+    stick_out_farther,
+    tip_at,
+)
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
+from freecad_fiveaxis.core.orientation.axis_field import with_way_out
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
-from freecad_fiveaxis.core.tool.body import Body, round_piece
+from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of, round_piece
 from freecad_fiveaxis.core.tool.stick_out import LONGER_BY
 
 TILTS = tuple(math.radians(tilt) for tilt in (0.0, 10.0, 20.0, 30.0, 45.0, 60.0, 80.0))
@@ -65,7 +78,7 @@ UPRIGHT = 1e-6
 """rad: no tilt that counts, but it says on which side of a flat bottom the contact lies."""
 
 TRIED = 1000
-"""Places, about, at which a tool that sticks out farther is tried."""
+"""Places, about, at which a tool that sticks out farther is tried; and as many at which its way out is."""
 
 LONGER = (5.0, *LONGER_BY)
 """mm: so much farther the tool is tried to stick out where only holder or machine are in the way."""
@@ -76,7 +89,9 @@ class ReachMap:
     """Of each of k places: ``point`` (k, 3) mm, ``facet`` (k,), ``area`` (k,) mm2; ``obstacle`` (k,) of
     :class:`Obstacle`; ``tilt`` (k,) rad and unit ``axis`` (k, 3) of the first axis that is free, NaN where
     there is none. ``longer``: mm that the tool would have to stick out farther, and mm2 that it reaches then
-    besides; ``spacing`` mm."""
+    besides; ``spacing`` mm. ``shut``: mm2, an estimate, where the tool is free but cannot be drawn out along
+    any axis tried; ``standing``: mm2 it reaches of what the part stands on, where ``mill`` leaves that
+    out."""
 
     point: Floats
     facet: Ints
@@ -86,6 +101,8 @@ class ReachMap:
     axis: Floats
     longer: tuple[tuple[float, float], ...]
     spacing: float
+    shut: float = 0.0
+    standing: float = 0.0
 
     def area_of(self, obstacle: Obstacle) -> float:
         """mm2."""
@@ -109,7 +126,8 @@ def reach_map(
         some, joined = keep_off.allows(mesh, point, facet), keep_off.obstacle(joined)
         point, facet, area = point[some], facet[some], area[some]
     ground, normal, tilts = Ground(reacher, joined), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
-    parts = list(_split_places(point, normal, BATCH if executor else len(point)))
+    open_ = np.flatnonzero(~find_hollow_facets(mesh)[facet])
+    parts = list(_split_places(point[open_], normal[open_], BATCH if executor else len(open_)))
     tried = spread(
         _try_all,
         ground,
@@ -119,14 +137,38 @@ def reach_map(
         "reach",
         [len(one) for one in parts],
     )
-    obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))
+    obstacle, tilt, axis = _fill_in(open_, len(point), *map(np.concatenate, zip(*tried, strict=True)))
     held = np.flatnonzero((obstacle == Obstacle.HOLDER) | (obstacle == Obstacle.MACHINE))
     rows = held[:: max(1, len(held) // TRIED)]
     parts = list(_split_places(point[rows], normal[rows], FEW if executor else len(rows)))
     scaled = _scale_progress(progress, tilts, 1.0)
     steps = spread(_try_longer, ground, parts, executor, scaled, "reach", [len(one) for one in parts])
     longer = tuple(_estimate_reach(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
-    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
+    free = np.flatnonzero(obstacle == Obstacle.NONE)
+    shut = _estimate_shut(ground, Places(point[free], normal[free]), area[free])
+    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing, shut)
+
+
+def _estimate_shut(ground: Ground, places: Places, area: Floats) -> float:
+    """Estimate over which area, mm2, of the free ``places`` with these areas (k,) the tool cannot be drawn
+    out along any axis tried, from about TRIED of them."""
+    rows = np.arange(0, len(places), max(1, len(places) // TRIED))
+    if not len(rows):
+        return 0.0
+    some = Places(places.point[rows], places.normal[rows])
+    drawn = with_way_out(ground.reacher, ground.tree)
+    met, _, _ = _set_on(drawn, ground.tree, some, np.arange(len(rows)), silent)
+    return float(area.sum() * area[rows[met != Obstacle.NONE]].sum() / area[rows].sum())
+
+
+def _fill_in(open_: Ints, count: int, *met: Floats | Ints) -> Met:
+    """Give what was met at the ``open_`` places (k,) to all of ``count`` places; the others are in a closed
+    hollow."""
+    obstacle, tilt = np.full(count, int(Obstacle.HOLLOW)), np.full(count, np.nan)
+    axis = np.full((count, 3), np.nan)
+    for column, found in zip((obstacle, tilt, axis), met, strict=True):
+        column[open_] = found
+    return obstacle, tilt, axis
 
 
 def _scale_progress(progress: Progress, first: float, last: float) -> Progress:
@@ -233,13 +275,30 @@ def _try(
     turned = choose_trial_axes(normal[open_], angle, reacher.cutter.ring)
     ways = turned.shape[1]
     place, turned = np.repeat(open_, ways), turned.reshape(-1, 3)
-    met = obstacles(reacher, tree, point[place], normal[place], turned).reshape(-1, ways)
+    met = obstacles(reacher, tree, point[place], normal[place], turned)
+    most = np.maximum(obstacle[open_], met.reshape(-1, ways).max(axis=1, initial=0))
+    rows = np.flatnonzero((met == Obstacle.CUTTER) & np.repeat(most == Obstacle.CUTTER, ways))
+    only = _only_flank_enters(reacher, tree, point[place[rows]], normal[place[rows]], turned[rows])
+    met[rows[only]] = Obstacle.FLANK
+    met = met.reshape(-1, ways)
     best = met.argmax(axis=1)
     farthest = met.max(axis=1, initial=0)
     obstacle[open_] = np.maximum(obstacle[open_], farthest)
     free = farthest == Obstacle.NONE
     tilt[open_[free]] = angle
     axis[open_[free]] = turned.reshape(-1, ways, 3)[np.flatnonzero(free), best[free]]
+
+
+def _only_flank_enters(
+    reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, axis: Floats
+) -> Bools:
+    """Whether (n,) the end of a cutter that enters does not. The ball at an end has been asked before any
+    axis was; a lollipop's cutter is nothing but its end."""
+    cutter = reacher.cutter
+    if cutter.ring == 0.0:
+        return np.full(len(point), cutter.neck is None)
+    end = body_of(replace(cutter, length=min(cutter.length, cutter.diameter))).only(CUTTER)
+    return ~enters(end, tree, tip_at(cutter, point, normal, axis), axis, reacher.limit)
 
 
 def choose_trial_axes(normal: Floats, angle: float, ring: float) -> Floats:

@@ -28,11 +28,12 @@ from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
-from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
 from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program, build_program
+from freecad_fiveaxis.core.passes import standing_facets
 from freecad_fiveaxis.core.pipeline.avoided import report_places
 from freecad_fiveaxis.core.pipeline.context import JobContext
 from freecad_fiveaxis.core.pipeline.driving import drive
@@ -145,6 +146,9 @@ def try_reach(
     bodies = bodies_in_pose(settings, machine, kinematics, mesh, fixtures, progress)
     reacher = Reacher(cutter, tool.shank, tool.holder, kinematics, limit, table, most, machine=bodies)
     found = reach_map(mesh, reacher, area.facets, progress, fixtures, executor, area.keep_off)
+    if faces is None and most >= math.pi:  # as mill does where nobody says which facets are cut
+        free = (found.obstacle == Obstacle.NONE) & standing_facets(mesh)[found.facet]
+        found = replace(found, standing=float(found.area[free].sum()))
     remarks += area.findings + report_places(area.keep_off, mesh, area.facets, found.spacing)
     return ReachTrial(settings, found, mesh.findings + remarks + below, reacher)
 

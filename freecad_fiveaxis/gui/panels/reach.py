@@ -9,8 +9,10 @@ from collections.abc import Mapping
 from types import SimpleNamespace
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.app.selection import is_mesh
+from freecad_fiveaxis.core.studies.reach_report import WAYS
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.views import kind_of
@@ -41,7 +43,7 @@ OPEN = ("Machine", "Tool")
 
 class ReachSummary(Summary):
     """How much is reached, in a sentence that is always whole; the area of each reason; what a longer tool
-    would bring."""
+    would bring; that the way there is not asked."""
 
     def show_result(self, obj: Any) -> None:
         """Show the figures of the map."""
@@ -52,7 +54,8 @@ class ReachSummary(Summary):
             f"<td align=right>{_unbroken(share)}</td></tr>"
             for _, words, area, share in area_lines(obj)
         )
-        paragraphs = "".join(f"<p>{html.escape(text)}</p>" for text in (obj.Advice, *obj.Findings) if text)
+        texts = (obj.Advice, *obj.Findings, wording.localize(WAYS))
+        paragraphs = "".join(f"<p>{html.escape(text)}</p>" for text in texts if text)
         self.verdict.show_verdict(SimpleNamespace(Light=ADVICE, Verdict=obj.Verdict))
         self.tell(f"<table>{cells}</table>{paragraphs}")
 
