@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Direction I, J, K of the axis of radial and rotary passes; 0, 0, 0: Z; rotary: the machine's only rotary axis, else the part's longest side</source>
-        <translation>Richtung I, J, K der Achse radialer und rotierender Bahnen; 0, 0, 0: Z; rotierend: die einzige Drehachse der Maschine, sonst die längste Seite des Werkstücks</translation>
+        <translation>Richtung I, J, K der Achse radialer und rotierender Bahnen; 0, 0, 0: Z; rotierend: die einzige Rundachse der Maschine, sonst die längste Seite des Werkstücks</translation>
     </message>
     <message>
         <source>Direction I, J, K of the fixed tool axis, from the tip to the holder</source>
@@ -357,7 +357,7 @@
     </message>
     <message>
         <source>F words as inverse time (G93), or as feed per minute (G94)</source>
-        <translation>F-Worte zeitreziprok (G93) oder als Vorschub je Minute (G94)</translation>
+        <translation>F-Wörter zeitreziprok (G93) oder als Vorschub je Minute (G94)</translation>
     </message>
     <message>
         <source>Faces of the base that are left alone: they are not milled</source>
@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>How the tool axis is found at each contact point. facet_mean: surface normal; face_normal: normal to each face, turning at its edges; step_weighted: normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere; from_axis: square to the rotary axis and pointing at it</source>
-        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird. facet_mean: Flächennormale; face_normal: senkrecht zu jeder Fläche, an ihren Kanten gedreht; step_weighted: nach Schrittlänge gewichtete Normale; minimax: kleinste Abweichung; auto: frei vom Werkstück; fixed: überall eine Achse; from_axis: senkrecht zur Drehachse und auf sie gerichtet</translation>
+        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird. facet_mean: Flächennormale; face_normal: senkrecht zu jeder Fläche, an ihren Kanten gedreht; step_weighted: nach Schrittlänge gewichtete Normale; minimax: kleinste Abweichung; auto: frei vom Werkstück; fixed: überall eine Achse; from_axis: senkrecht zur Rundachse und auf sie gerichtet</translation>
     </message>
     <message>
         <source>How the tool goes from one pass to the next: near the part where it is free, or over it</source>
@@ -777,7 +777,7 @@
     </message>
     <message>
         <source>Most positions in which the rotary axes are locked while passes are cut, 1 to 12: as many as are worth it</source>
-        <translation>Höchstzahl der Stellungen, in denen die Drehachsen geklemmt sind, während Bahnen geschnitten werden, 1 bis 12: so viele, wie sich lohnen</translation>
+        <translation>Höchstzahl der Stellungen, in denen die Rundachsen geklemmt sind, während Bahnen geschnitten werden, 1 bis 12: so viele, wie sich lohnen</translation>
     </message>
     <message>
         <source>Most that is left on the machined surface</source>
@@ -861,7 +861,7 @@
     </message>
     <message>
         <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from one guide curve to another; radial: about an axis; rotary: around or along an axis about which the part turns; frames: constant scallop in few positions of locked rotary axes</source>
-        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe; morph: von einer Leitlinie zur anderen; radial: um eine Achse; rotary: um oder längs einer Achse, um die sich das Werkstück dreht; frames: gleiche Kuppenhöhe in wenigen Stellungen geklemmter Drehachsen</translation>
+        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe; morph: von einer Leitlinie zur anderen; radial: um eine Achse; rotary: um oder längs einer Achse, um die sich das Werkstück dreht; frames: gleiche Kuppenhöhe in wenigen Stellungen geklemmter Rundachsen</translation>
     </message>
     <message>
         <source>Passes</source>
@@ -913,7 +913,7 @@
     </message>
     <message>
         <source>Point of the axis that radial passes radiate from and rotary ones turn about: X,Y,Z, or middle (of what is cut; rotary: of the machine's only rotary axis, else of the part)</source>
-        <translation>Punkt der Achse, von der radiale Bahnen ausgehen und um die rotierende laufen: X,Y,Z oder middle (Mitte dessen, was bearbeitet wird; rotierend: der einzigen Drehachse der Maschine, sonst des Werkstücks)</translation>
+        <translation>Punkt der Achse, von der radiale Bahnen ausgehen und um die rotierende laufen: X,Y,Z oder middle (Mitte dessen, was bearbeitet wird; rotierend: der einzigen Rundachse der Maschine, sonst des Werkstücks)</translation>
     </message>
     <message>
         <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
@@ -985,11 +985,11 @@
     </message>
     <message>
         <source>Rings around the rotary axis, which spiral passes make one helix, or lines along it</source>
-        <translation>Ringe um die Drehachse, aus denen Spiralbahnen eine Wendel machen, oder Linien längs der Achse</translation>
+        <translation>Ringe um die Rundachse, aus denen Spiralbahnen eine Wendel machen, oder Linien längs der Achse</translation>
     </message>
     <message>
         <source>Rotary By</source>
-        <translation>Rotierend durch</translation>
+        <translation>Bahnen um / längs der Rundachse</translation>
     </message>
     <message>
         <source>Rtcp</source>
@@ -1621,7 +1621,7 @@
     </message>
     <message>
         <source>turn of each rotary axis</source>
-        <translation>Drehung jeder Drehachse</translation>
+        <translation>Drehung jeder Rundachse</translation>
     </message>
     <message>
         <source>way of each linear axis</source>
@@ -1712,7 +1712,7 @@
     </message>
     <message>
         <source>Any point of the rotary axis's line in machine coordinates, with all axes at zero</source>
-        <translation>Irgendein Punkt der Drehachse in Maschinenkoordinaten, alle Achsen auf Null</translation>
+        <translation>Irgendein Punkt der Rundachse in Maschinenkoordinaten, alle Achsen auf Null</translation>
     </message>
     <message>
         <source>Applied: the largest deviation is now {deviation}.</source>
@@ -2992,7 +2992,7 @@
     </message>
     <message>
         <source>Square to the rotary axis and pointing at it, as the part turns.</source>
-        <translation>Senkrecht zur Drehachse und auf sie gerichtet, während sich das Werkstück dreht.</translation>
+        <translation>Senkrecht zur Rundachse und auf sie gerichtet, während sich das Werkstück dreht.</translation>
     </message>
     <message>
         <source>Start from</source>
@@ -3104,7 +3104,7 @@
     </message>
     <message>
         <source>The controller guides the tip (RTCP); shown is the tip on its straight way while the rotary axes turn evenly.</source>
-        <translation>Die Steuerung führt die Spitze (RTCP); gezeigt ist die Spitze auf ihrem geraden Weg, während die Drehachsen gleichmäßig drehen.</translation>
+        <translation>Die Steuerung führt die Spitze (RTCP); gezeigt ist die Spitze auf ihrem geraden Weg, während die Rundachsen gleichmäßig drehen.</translation>
     </message>
     <message>
         <source>The controller guides the tip; the program gives the rotary axes.</source>
@@ -3548,7 +3548,7 @@
     </message>
     <message>
         <source>While the rotary axes turn, the tip leaves the straight way over the part; or the part is over the tool.</source>
-        <translation>Während die Drehachsen sich drehen, verlässt die Spitze den geraden Weg über dem Werkstück; oder das Werkstück ist über dem Werkzeug.</translation>
+        <translation>Während die Rundachsen sich drehen, verlässt die Spitze den geraden Weg über dem Werkstück; oder das Werkstück ist über dem Werkzeug.</translation>
     </message>
     <message>
         <source>Why</source>
@@ -3660,7 +3660,7 @@
     </message>
     <message>
         <source>away from the rotary axis</source>
-        <translation>von der Drehachse weg</translation>
+        <translation>von der Rundachse weg</translation>
     </message>
     <message>
         <source>axis</source>
@@ -3840,7 +3840,7 @@
     </message>
     <message>
         <source>frames with locked rotary axes (3+2)</source>
-        <translation>Anstellungen mit geklemmten Drehachsen (3+2)</translation>
+        <translation>Anstellungen mit geklemmten Rundachsen (3+2)</translation>
     </message>
     <message>
         <source>free of the part (auto)</source>
@@ -4825,7 +4825,7 @@
     </message>
     <message>
         <source>From NC line {line} on axes go home, and {function} is still on: the control may refuse that, or move X Y Z beside the rotary axes to keep the tip. Retract Z, then give {off} before that line.</source>
-        <translation>Ab NC-Zeile {line} fahren Achsen heim, und {function} ist noch an: Die Steuerung kann das ablehnen, oder sie bewegt X Y Z neben den Drehachsen, um die Spitze zu halten. Z zurückziehen, dann vor dieser Zeile {off} angeben.</translation>
+        <translation>Ab NC-Zeile {line} fahren Achsen heim, und {function} ist noch an: Die Steuerung kann das ablehnen, oder sie bewegt X Y Z neben den Rundachsen, um die Spitze zu halten. Z zurückziehen, dann vor dieser Zeile {off} angeben.</translation>
     </message>
     <message>
         <source>G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file.</source>
@@ -4921,11 +4921,11 @@
     </message>
     <message>
         <source>In {count} blocks F would exceed the controller's largest; they run slower than programmed, half of them at less than {feed}. Use G94, or give a lower feed.</source>
-        <translation>In {count} Blöcken würde F das größte der Steuerung überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. G94 verwenden oder einen kleineren Vorschub angeben.</translation>
+        <translation>In {count} NC-Sätzen würde F das größte der Steuerung überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. G94 verwenden oder einen kleineren Vorschub angeben.</translation>
     </message>
     <message>
         <source>In {count} blocks an axis would exceed its maximum rate; they run slower than programmed, half of them at less than {feed}. For an even feed give a lower one.</source>
-        <translation>In {count} Blöcken würde eine Achse ihre höchste Geschwindigkeit überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. Für einen gleichmäßigen Vorschub einen kleineren angeben.</translation>
+        <translation>In {count} NC-Sätzen würde eine Achse ihre höchste Geschwindigkeit überschreiten; sie laufen langsamer als programmiert, die Hälfte davon mit weniger als {feed}. Für einen gleichmäßigen Vorschub einen kleineren angeben.</translation>
     </message>
     <message>
         <source>In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one group of axes after the other, or place the part otherwise on the table.</source>
@@ -5401,7 +5401,7 @@
     </message>
     <message>
         <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
-        <translation>Die Flanke des Kegelfräsers neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel oder einen Fräser mit weniger Kegel wählen.</translation>
+        <translation>Die Flanke des Kegelfräsers neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitwinkel oder einen Fräser mit weniger Kegel wählen.</translation>
     </message>
     <message>
         <source>The height of the table is not known: check that the part stands on it, or give {table_height}.</source>
@@ -5549,7 +5549,7 @@
     </message>
     <message>
         <source>The rotary axes cannot turn to the tilted plane: {reason}. Choose the program's own machine.</source>
-        <translation>Die Drehachsen können nicht zur geschwenkten Ebene drehen: {reason}. Die Maschine des Programms wählen.</translation>
+        <translation>Die Rundachsen können nicht zur geschwenkten Ebene drehen: {reason}. Die Maschine des Programms wählen.</translation>
     </message>
     <message>
         <source>The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding explains. The program may come from another CL path, or its machine have directions or axes that are not tried here.</source>
@@ -5629,7 +5629,7 @@
     </message>
     <message>
         <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
-        <translation>Die Werkzeugachse liegt auf {length} der Bahnen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
+        <translation>Die Werkzeugachse liegt auf {length} der Bahnen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
     </message>
     <message>
         <source>The tool axis is given by vectors. What was looked at of the machine's bodies holds where the controller takes the same rotary words at the blocks' ends and turns them evenly in between; it may choose others, and where it turns the vector itself they go otherwise.</source>
@@ -5657,7 +5657,7 @@
     </message>
     <message>
         <source>The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or cut these places in another set-up.</source>
-        <translation>Das Werkzeug neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel wählen oder diese Stellen in einer anderen Aufspannung fräsen.</translation>
+        <translation>Das Werkzeug neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitwinkel wählen oder diese Stellen in einer anderen Aufspannung fräsen.</translation>
     </message>
     <message>
         <source>The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.</source>
@@ -5753,7 +5753,7 @@
     </message>
     <message>
         <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), use a longer tool, or more lead or tilt.</source>
-        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein. Das Werkzeug freineigen lassen oder diese Stellen auslassen ({tilt}), ein längeres Werkzeug oder mehr Voreil- oder Seitenwinkel nehmen.</translation>
+        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein. Das Werkzeug freikippen lassen oder diese Stellen auslassen ({tilt}), ein längeres Werkzeug oder mehr Voreil- oder Seitwinkel nehmen.</translation>
     </message>
     <message>
         <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
@@ -5909,7 +5909,7 @@
     </message>
     <message>
         <source>Z goes no higher: before the start stand the rotary axes by hand where the first block wants them, use a shorter tool, or narrow the rotary limits in the machine file to what is really used.</source>
-        <translation>Höher fährt Z nicht: Stellen Sie vor dem Start die Drehachsen von Hand dorthin, wo der erste Satz sie braucht, nehmen Sie ein kürzeres Werkzeug, oder begrenzen Sie die Drehachsen in der Maschinendatei auf das, was wirklich benutzt wird.</translation>
+        <translation>Höher fährt Z nicht: Stellen Sie vor dem Start die Rundachsen von Hand dorthin, wo der erste Satz sie braucht, nehmen Sie ein kürzeres Werkzeug, oder begrenzen Sie die Rundachsen in der Maschinendatei auf das, was wirklich benutzt wird.</translation>
     </message>
     <message>
         <source>Z of this machine does not lift the tool: give its file another safe_start than clearance</source>
@@ -5933,7 +5933,7 @@
     </message>
     <message>
         <source>a barrel leans {angle} from the surface, which machine {name} cannot follow with one rotary axis: choose {fixed} for upright walls, or a ball cutter</source>
-        <translation>ein Tonnenfräser neigt sich um {angle} von der Oberfläche, und dem kann die Maschine {name} mit einer Drehachse nicht folgen: {fixed} für senkrechte Wände wählen, oder einen Kugelfräser</translation>
+        <translation>ein Tonnenfräser neigt sich um {angle} von der Oberfläche, und dem kann die Maschine {name} mit einer Rundachse nicht folgen: {fixed} für senkrechte Wände wählen, oder einen Kugelfräser</translation>
     </message>
     <message>
         <source>a block asks more of an axis than its maximum rate</source>
@@ -5945,7 +5945,7 @@
     </message>
     <message>
         <source>a block lies near the machine's pole: rotary axes swing</source>
-        <translation>ein Satz liegt nahe am Pol der Maschine, Drehachsen schwenken</translation>
+        <translation>ein Satz liegt nahe am Pol der Maschine, Rundachsen schwenken</translation>
     </message>
     <message>
         <source>a block of inverse time has no F of its own</source>
@@ -6089,23 +6089,23 @@
     </message>
     <message>
         <source>a rotary axis that wraps takes the shorter way</source>
-        <translation>eine Drehachse nimmt den kürzeren Weg</translation>
+        <translation>eine Rundachse nimmt den kürzeren Weg</translation>
     </message>
     <message>
         <source>a rotary axis turns against ISO 841</source>
-        <translation>eine Drehachse dreht gegen ISO 841</translation>
+        <translation>eine Rundachse dreht gegen ISO 841</translation>
     </message>
     <message>
         <source>a rotary axis turns back inside a cut, with the tool retracted</source>
-        <translation>eine Drehachse dreht mitten im Schnitt zurück, bei abgehobenem Werkzeug</translation>
+        <translation>eine Rundachse dreht mitten im Schnitt zurück, bei abgehobenem Werkzeug</translation>
     </message>
     <message>
         <source>a rotary axis turns back inside cuts, {count} times</source>
-        <translation>eine Drehachse dreht mitten im Schnitt zurück, {count}-mal</translation>
+        <translation>eine Rundachse dreht mitten im Schnitt zurück, {count}-mal</translation>
     </message>
     <message>
         <source>a rotary axis turns while the tool stands at the machine's pole</source>
-        <translation>eine Drehachse dreht, während das Werkzeug am Pol der Maschine steht</translation>
+        <translation>eine Rundachse dreht, während das Werkzeug am Pol der Maschine steht</translation>
     </message>
     <message>
         <source>a setup map</source>
@@ -6301,7 +6301,7 @@
     </message>
     <message>
         <source>axis {letter} cannot stand at 0; programs begin with their rotary axes there</source>
-        <translation>Achse {letter} kann nicht auf 0 stehen; Programme beginnen mit den Drehachsen dort</translation>
+        <translation>Achse {letter} kann nicht auf 0 stehen; Programme beginnen mit den Rundachsen dort</translation>
     </message>
     <message>
         <source>axis {letter} has no end; give its limits, or its travel is not checked</source>
@@ -6441,7 +6441,7 @@
     </message>
     <message>
         <source>closed passes begin where a rotary axis has room</source>
-        <translation>geschlossene Bahnen beginnen, wo eine Drehachse Platz hat</translation>
+        <translation>geschlossene Bahnen beginnen, wo eine Rundachse Platz hat</translation>
     </message>
     <message>
         <source>co-edge tolerance</source>
@@ -6653,7 +6653,7 @@
     </message>
     <message>
         <source>facets at the ends of a rotary axis get no rotary passes</source>
-        <translation>Facetten an den Enden einer Drehachse bekommen keine Drehbahnen</translation>
+        <translation>Facetten an den Enden einer Rundachse bekommen keine Drehbahnen</translation>
     </message>
     <message>
         <source>facets lean more than the largest axis angle</source>
@@ -6777,7 +6777,7 @@
     </message>
     <message>
         <source>give a larger stepover or scallop, or check the units of the part</source>
-        <translation>größeren Bahnabstand oder größere Rillenhöhe angeben, oder die Einheiten des Werkstücks prüfen</translation>
+        <translation>größeren Bahnabstand oder größere Kuppenhöhe angeben, oder die Einheiten des Werkstücks prüfen</translation>
     </message>
     <message>
         <source>give a smaller file, or free memory</source>
@@ -6829,11 +6829,11 @@
     </message>
     <message>
         <source>how many times a rotary axis turns back between cuts</source>
-        <translation>wie oft eine Drehachse zwischen Schnitten zurückdreht</translation>
+        <translation>wie oft eine Rundachse zwischen Schnitten zurückdreht</translation>
     </message>
     <message>
         <source>how many times a rotary axis turns back inside a cut</source>
-        <translation>eine Drehachse dreht mitten im Schnitt zurück</translation>
+        <translation>wie oft eine Rundachse mitten im Schnitt zurückdreht</translation>
     </message>
     <message>
         <source>how much stays is not known from the passes alone, but told by the map of what is left where that is asked for ({left})</source>
@@ -6973,7 +6973,7 @@
     </message>
     <message>
         <source>it shifts a rotary axis</source>
-        <translation>sie verschiebt eine Drehachse</translation>
+        <translation>sie verschiebt eine Rundachse</translation>
     </message>
     <message>
         <source>it stands in a tilted plane</source>
@@ -7249,27 +7249,27 @@
     </message>
     <message>
         <source>machine {name} has fewer than two rotary axes, and only five axes are recovered: leave {machine} out</source>
-        <translation>die Maschine {name} hat weniger als zwei Drehachsen, und nur fünf Achsen werden zurückgewonnen: {machine} weglassen</translation>
+        <translation>die Maschine {name} hat weniger als zwei Rundachsen, und nur fünf Achsen werden zurückgewonnen: {machine} weglassen</translation>
     </message>
     <message>
         <source>machine {name} has fewer than two rotary axes: the proof of signs turns two; jog each axis and compare with the machine file</source>
-        <translation>die Maschine {name} hat weniger als zwei Drehachsen, der Nachweis der Vorzeichen dreht zwei: jede Achse von Hand fahren und mit der Maschinendatei vergleichen</translation>
+        <translation>die Maschine {name} hat weniger als zwei Rundachsen, der Nachweis der Vorzeichen dreht zwei: jede Achse von Hand fahren und mit der Maschinendatei vergleichen</translation>
     </message>
     <message>
         <source>machine {name} has no rotary axis and cannot lean the tool as {strategy} asks: choose {tool_axis}</source>
-        <translation>die Maschine {name} hat keine Drehachse und kann das Werkzeug nicht neigen, wie {strategy} es verlangt: {tool_axis} wählen</translation>
+        <translation>die Maschine {name} hat keine Rundachse und kann das Werkzeug nicht neigen, wie {strategy} es verlangt: {tool_axis} wählen</translation>
     </message>
     <message>
         <source>machine {name} has no rotary axis and cannot lean the tool: choose {gouge}</source>
-        <translation>die Maschine {name} hat keine Drehachse und kann das Werkzeug nicht neigen: {gouge} wählen</translation>
+        <translation>die Maschine {name} hat keine Rundachse und kann das Werkzeug nicht neigen: {gouge} wählen</translation>
     </message>
     <message>
         <source>machine {name} has no rotary axis and cannot lean the tool: leave {option} out</source>
-        <translation>die Maschine {name} hat keine Drehachse und kann das Werkzeug nicht neigen: {option} weglassen</translation>
+        <translation>die Maschine {name} hat keine Rundachse und kann das Werkzeug nicht neigen: {option} weglassen</translation>
     </message>
     <message>
         <source>machine {name} has no rotary axis: its tip leaves no line wherever the part is clamped; put it where the travel reaches</source>
-        <translation>die Maschine {name} hat keine Drehachse: ihre Spitze verlässt die Gerade nicht, wo immer gespannt wird; dort spannen, wohin die Verfahrwege reichen</translation>
+        <translation>die Maschine {name} hat keine Rundachse: ihre Spitze verlässt die Gerade nicht, wo immer gespannt wird; dort spannen, wohin die Verfahrwege reichen</translation>
     </message>
     <message>
         <source>machine {name} has two axes of the same letter: {letters}</source>
@@ -7281,7 +7281,7 @@
     </message>
     <message>
         <source>machine {name}: its only rotary axis {letter} is parallel to the tool and never tilts it; leave it out of the file</source>
-        <translation>Maschine {name}: ihre einzige Drehachse {letter} ist parallel zum Werkzeug und neigt es nie; in der Datei weglassen</translation>
+        <translation>Maschine {name}: ihre einzige Rundachse {letter} ist parallel zum Werkzeug und neigt es nie; in der Datei weglassen</translation>
     </message>
     <message>
         <source>machine {name}: singular_cone {cone} is not between 0 and 90</source>
@@ -7325,7 +7325,7 @@
     </message>
     <message>
         <source>more than the scallop stays</source>
-        <translation>mehr als die Rillenhöhe bleibt stehen</translation>
+        <translation>mehr als die Kuppenhöhe bleibt stehen</translation>
     </message>
     <message>
         <source>more than the tolerance is missing on the surface</source>
@@ -7401,7 +7401,7 @@
     </message>
     <message>
         <source>no circle fits the words of an arc</source>
-        <translation>zu den Worten eines Bogens passt kein Kreis</translation>
+        <translation>zu den Wörtern eines Bogens passt kein Kreis</translation>
     </message>
     <message>
         <source>no correction</source>
@@ -7553,7 +7553,7 @@
     </message>
     <message>
         <source>no way to stand lies within the limits of the rotary axes</source>
-        <translation>keine Stellung liegt in den Grenzen der Drehachsen</translation>
+        <translation>keine Stellung liegt in den Grenzen der Rundachsen</translation>
     </message>
     <message>
         <source>no {option}</source>
@@ -7865,11 +7865,11 @@
     </message>
     <message>
         <source>rotary axes turn before G255 has ended it</source>
-        <translation>Drehachsen drehen, bevor G255 sie beendet hat</translation>
+        <translation>Rundachsen drehen, bevor G255 sie beendet hat</translation>
     </message>
     <message>
         <source>rotary axes turn evenly in divided blocks</source>
-        <translation>Drehachsen drehen in geteilten Sätzen gleichmäßig</translation>
+        <translation>Rundachsen drehen in geteilten Sätzen gleichmäßig</translation>
     </message>
     <message>
         <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
@@ -7917,7 +7917,7 @@
     </message>
     <message>
         <source>scallop {value} needs about {samples} samples of its passes, more than {most}; give a larger scallop or check the units of the part</source>
-        <translation>die Rillenhöhe {value} braucht etwa {samples} Stützpunkte ihrer Bahnen, mehr als {most}; eine größere angeben oder die Einheiten des Werkstücks prüfen</translation>
+        <translation>die Kuppenhöhe {value} braucht etwa {samples} Stützpunkte ihrer Bahnen, mehr als {most}; eine größere angeben oder die Einheiten des Werkstücks prüfen</translation>
     </message>
     <message>
         <source>select a solid, faces of a solid, a body, a compound of solids, or a mesh</source>
@@ -8141,7 +8141,7 @@
     </message>
     <message>
         <source>the decimals of the words are too few for the tolerance</source>
-        <translation>die Worte haben zu wenige Dezimalen für die Toleranz</translation>
+        <translation>die Wörter haben zu wenige Dezimalen für die Toleranz</translation>
     </message>
     <message>
         <source>the deflections are {linear} and {angular}; both must be above 0</source>
@@ -8149,7 +8149,7 @@
     </message>
     <message>
         <source>the direction of a rotary axis hangs on a parameter</source>
-        <translation>die Richtung einer Drehachse hängt an einem Parameter</translation>
+        <translation>die Richtung einer Rundachse hängt an einem Parameter</translation>
     </message>
     <message>
         <source>the direction of an axis is not proven at the machine</source>
@@ -8437,7 +8437,7 @@
     </message>
     <message>
         <source>the scallop asks for passes nearer than the least interval</source>
-        <translation>die Rillenhöhe verlangt engere Bahnen als den kleinsten Abstand</translation>
+        <translation>die Kuppenhöhe verlangt engere Bahnen als den kleinsten Abstand</translation>
     </message>
     <message>
         <source>the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?</source>
@@ -8689,7 +8689,7 @@
     </message>
     <message>
         <source>the words of a rotary axis do not fit the way it wraps</source>
-        <translation>die Worte einer Drehachse passen nicht dazu, wie sie umläuft</translation>
+        <translation>die Wörter einer Rundachse passen nicht dazu, wie sie umläuft</translation>
     </message>
     <message>
         <source>the work offset</source>
@@ -8965,7 +8965,7 @@
     </message>
     <message>
         <source>what carries a rotary axis is assumed</source>
-        <translation>was eine Drehachse trägt, ist angenommen</translation>
+        <translation>was eine Rundachse trägt, ist angenommen</translation>
     </message>
     <message>
         <source>what is left is known of a toolpath only: select a toolpath</source>
@@ -9001,7 +9001,7 @@
     </message>
     <message>
         <source>where the controller guides the tip it turns the rotary axes evenly: so were tool, spindle and the machine's bodies looked at between the blocks' ends</source>
-        <translation>wo die Steuerung die Spitze führt, dreht sie die Drehachsen gleichmäßig: so wurden Werkzeug, Spindel und die Körper der Maschine zwischen den Satzenden angesehen</translation>
+        <translation>wo die Steuerung die Spitze führt, dreht sie die Rundachsen gleichmäßig: so wurden Werkzeug, Spindel und die Körper der Maschine zwischen den Satzenden angesehen</translation>
     </message>
     <message>
         <source>where the program begins and ends, at Z {height}, tool and spindle are above part, fixtures and the machine's bodies, wherever the other axes stand, and from there Z comes down clear to the first block and rises clear from the last</source>
@@ -9025,7 +9025,7 @@
     </message>
     <message>
         <source>with the part turned the rotary limits allow no way</source>
-        <translation>mit gedrehtem Teil lassen die Grenzen der Drehachsen keinen Weg</translation>
+        <translation>mit gedrehtem Teil lassen die Grenzen der Rundachsen keinen Weg</translation>
     </message>
     <message>
         <source>with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?</source>
@@ -9045,15 +9045,15 @@
     </message>
     <message>
         <source>words of an axis that the machine does not have</source>
-        <translation>Worte einer Achse, die die Maschine nicht hat</translation>
+        <translation>Wörter einer Achse, die die Maschine nicht hat</translation>
     </message>
     <message>
         <source>words that the reader does not interpret</source>
-        <translation>Worte werden nicht verstanden</translation>
+        <translation>Wörter werden nicht verstanden</translation>
     </message>
     <message>
         <source>words without a decimal point</source>
-        <translation>Worte ohne Dezimalpunkt</translation>
+        <translation>Wörter ohne Dezimalpunkt</translation>
     </message>
     <message>
         <source>work offset is {offset}; give G54 to G59, or another that the controller has</source>
@@ -9077,7 +9077,7 @@
     </message>
     <message>
         <source>zeros of rotary axes are taken as right</source>
-        <translation>Nullpunkte von Drehachsen gelten als richtig</translation>
+        <translation>Nullpunkte von Rundachsen gelten als richtig</translation>
     </message>
     <message>
         <source>{all} jobs: {well} without errors, {errors} with errors, {failed} failed</source>
@@ -9277,7 +9277,7 @@
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) need a tool axis to which no rotary axis of the machine turns and are left out; turn the part or take another machine to cut them.</source>
-        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) brauchen eine Werkzeugachse, zu der keine Drehachse der Maschine schwenkt, und sind ausgelassen; das Werkstück drehen oder eine andere Maschine nehmen, um sie zu fräsen.</translation>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) brauchen eine Werkzeugachse, zu der keine Rundachse der Maschine schwenkt, und sind ausgelassen; das Werkstück drehen oder eine andere Maschine nehmen, um sie zu fräsen.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take another machine to cut them.</source>
@@ -9409,7 +9409,7 @@
     </message>
     <message>
         <source>{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has no rotary axis: keep the tool axis along Z ({fixed}) or take another machine</source>
-        <translation>{count} von {all} Punkten brauchen ein geneigtes Werkzeug, der erste ist {axis} bei {place}, und diese Maschine hat keine Drehachse: die Werkzeugachse längs Z lassen ({fixed}) oder eine andere Maschine nehmen</translation>
+        <translation>{count} von {all} Punkten brauchen ein geneigtes Werkzeug, der erste ist {axis} bei {place}, und diese Maschine hat keine Rundachse: die Werkzeugachse längs Z lassen ({fixed}) oder eine andere Maschine nehmen</translation>
     </message>
     <message>
         <source>{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine</source>
@@ -9417,7 +9417,7 @@
     </message>
     <message>
         <source>{count} of {all} points need a tool axis that {letter} alone does not reach within its limits, the first is {axis} at {place}: keep the tool axis along Z ({fixed}), widen the limits or take a machine with two rotary axes</source>
-        <translation>{count} von {all} Punkten brauchen eine Werkzeugachse, die {letter} allein in seinen Grenzen nicht erreicht, der erste {axis} bei {place}: die Werkzeugachse entlang Z halten ({fixed}), die Grenzen erweitern oder eine Maschine mit zwei Drehachsen nehmen</translation>
+        <translation>{count} von {all} Punkten brauchen eine Werkzeugachse, die {letter} allein in seinen Grenzen nicht erreicht, der erste {axis} bei {place}: die Werkzeugachse entlang Z halten ({fixed}), die Grenzen erweitern oder eine Maschine mit zwei Rundachsen nehmen</translation>
     </message>
     <message>
         <source>{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off by up to {miss}. Look at them: they are wrong in the CL path or in the program.</source>
@@ -9561,11 +9561,11 @@
     </message>
     <message>
         <source>{frames} lock the rotary axes and choose the tool axes themselves; leave {option} out</source>
-        <translation>{frames} klemmen die Drehachsen und wählen die Werkzeugachsen selbst; {option} weglassen</translation>
+        <translation>{frames} klemmen die Rundachsen und wählen die Werkzeugachsen selbst; {option} weglassen</translation>
     </message>
     <message>
         <source>{frames} lock the rotary axes, {choice} turns them; choose another</source>
-        <translation>{frames} klemmen die Drehachsen, {choice} dreht sie; etwas anderes wählen</translation>
+        <translation>{frames} klemmen die Rundachsen, {choice} dreht sie; etwas anderes wählen</translation>
     </message>
     <message>
         <source>{given} given; give either a stepover or a scallop</source>
@@ -10305,7 +10305,7 @@
     </message>
     <message>
         <source>{pin} is a constant {given}; the rotary axes are that much higher for it. Join it to motion.tooloffset.z.</source>
-        <translation>{pin} ist fest {given}; die Drehachsen liegen dafür um so viel höher. Verbinden Sie ihn mit motion.tooloffset.z.</translation>
+        <translation>{pin} ist fest {given}; die Rundachsen liegen dafür um so viel höher. Verbinden Sie ihn mit motion.tooloffset.z.</translation>
     </message>
     <message>
         <source>{place}: word {letter} stands twice; a line takes one of each</source>
@@ -10337,7 +10337,7 @@
     </message>
     <message>
         <source>{rtcp} lets the controller guide the tip while rotary axes turn, and machine {name} has none; leave it out</source>
-        <translation>mit {rtcp} führt die Steuerung die Spitze, während Drehachsen drehen, und die Maschine {name} hat keine; weglassen</translation>
+        <translation>mit {rtcp} führt die Steuerung die Spitze, während Rundachsen drehen, und die Maschine {name} hat keine; weglassen</translation>
     </message>
     <message>
         <source>{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; give one</source>
@@ -10469,7 +10469,7 @@
     </message>
     <message>
         <source>{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the tool along Z</source>
-        <translation>{tool_axis} dreht zwei Drehachsen, die Maschine {name} hat weniger; eine andere wählen, {fixed} lässt das Werkzeug längs Z</translation>
+        <translation>{tool_axis} dreht zwei Rundachsen, die Maschine {name} hat weniger; eine andere wählen, {fixed} lässt das Werkzeug längs Z</translation>
     </message>
     <message>
         <source>{tool} out of the part on feed moves and rapids, but for {tolerance}</source>

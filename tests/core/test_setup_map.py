@@ -364,6 +364,19 @@ def test_a_part_is_turned_only_where_that_gains():
     )
 
 
+def test_why_another_than_the_least_is_recommended_is_stated(chart):
+    """The recommended one may deviate by 1 % more where it is nearer."""
+    able = np.flatnonzero(chart.able)
+    least, other = able[np.argsort(chart.max_deviation[able])[:2]].tolist()
+    close = chart.max_deviation.copy()
+    close[other] = 1.005 * close[least]
+    stated = [
+        "are equally good" in " ".join(setup_text(replace(chart, best=best, max_deviation=close)).split())
+        for best in (least, other)
+    ]
+    assert stated == [False, True]
+
+
 def test_markers_stand_at_places_of_the_map_in_work_coordinates(chart):
     result = setup_markers(chart)
     assert all(isinstance(one, Marker) for one in result)

@@ -293,9 +293,22 @@ def _say_proven(chart: SetupMap) -> str:
         return ""
     turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"
     where = "" if chart.table is None else " above the table"
-    return (
+    proven = (
         f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm {turns}, but "
         "for the rounding of words."
+    )
+    return proven + _say_equal(chart)
+
+
+def _say_equal(chart: SetupMap) -> str:
+    """Say why another setup of the map than that of the least deviation is recommended; nothing where it is
+    that one."""
+    able = chart.max_deviation[chart.able]
+    if chart.best is None or not len(able) or chart.max_deviation[chart.best] <= np.nanmin(able):
+        return ""
+    return (
+        " Setups of 1 % more, or within the tolerance, are equally good: of these the one of the fewest "
+        "rewinds, then the shortest time, the least turn and the shortest way from the present one."
     )
 
 
