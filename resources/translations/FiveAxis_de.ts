@@ -4940,6 +4940,10 @@
         <translation>In {count} NC-Sätzen führt die Steuerung die Werkzeugspitze (RTCP): Dass sie auf der Strecke bleibt, ist Sache der Steuerung und hier weder gemessen noch nachgewiesen. Grenzen und Geschwindigkeiten sind die der Achsen, die diese Maschinendatei dafür braucht.</translation>
     </message>
     <message>
+        <source>In {count} blocks the tool points against the normal of the frame that is turned there, as if it cut from below. Compare the signs of the rotary words with those of the machine.</source>
+        <translation>In {count} NC-Sätzen zeigt das Werkzeug gegen die Normale des dort gedrehten Frames, als schnitte es von unten. Die Vorzeichen der Rundachswörter mit denen der Maschine vergleichen.</translation>
+    </message>
+    <message>
         <source>In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the fixture.</source>
         <translation>In {count} Sätzen ist der ganze Fräser im Spannmittel {fixture}. Prüfen Sie den Werkstücknullpunkt und die Einheiten des Spannmittels.</translation>
     </message>

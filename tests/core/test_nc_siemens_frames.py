@@ -8,6 +8,9 @@ import pytest
 from test_nc_cycles import errors, path, read
 from test_nc_planes import read as read_on
 
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
+
 HEAD = "G71 G90 G94 F100\nG0 X0 Y0 Z20 A0 C0\n"
 HALF, COSINE = 0.5, float(np.cos(np.pi / 6))
 
@@ -33,6 +36,19 @@ def test_inches_arcs_and_steps_stand_in_a_frame() -> None:
     program = read(HEAD + "ROT X90\nG1 X10 Y0 Z0\nG3 X-10 Y0 I-10 J0\n", "siemens840d")
     np.testing.assert_allclose(np.hypot(program.words[2:, 0], program.words[2:, 2]), 10.0, atol=1e-9)
     assert program.words[:, 2].max() == pytest.approx(20.0) and not errors(program)
+
+
+@pytest.mark.parametrize(("angle", "opposite"), [(90, False), (-90, True), (0, False)])
+def test_a_tool_that_points_against_the_normal_of_its_frame_is_noticed(angle: float, opposite: bool) -> None:
+    """AROT X90 turns Z to -Y; on trunnion_ac the tool lies there at A90."""
+    kinematics = chain(load_machine("trunnion_ac"), Setup())
+    words = np.zeros((1, 5))
+    words[0, kinematics.letters.index("A")] = angle
+    assert (forward(kinematics, words_to_q(words))[1][0] @ (0.0, -1.0, 0.0) < -0.999) == opposite
+    moved = f"TRAORI\nG0 A{angle} C0\nAROT X90\nG1 X10 Y2 Z5\nTRAFOOF\n"
+    found = [one for one in read_on(HEAD + moved, "siemens840d").findings if one.code == "plane-not-taken"]
+    assert [one.severity.name for one in found] == ["WARNING"] * opposite
+    assert all("against the normal" in one.text for one in found)
 
 
 def test_a_guided_tip_and_its_vectors_stand_in_a_frame() -> None:

@@ -7,11 +7,11 @@ Which of the ways to stand the control takes is :mod:`.plane_solution`'s.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, say
@@ -25,6 +25,9 @@ from .positions import ABSOLUTE, STEP, AxisWords, Moves, find_wraps, tool_axes, 
 
 OFF_NORMAL = 0.01
 """deg; the tool lies along the normal, as far as rotary words are rounded."""
+
+OPPOSITE = 179.0
+"""deg from the normal of a turned frame: the tool would cut from below."""
 
 
 @dataclass(eq=False)
@@ -74,7 +77,12 @@ def plane_findings(
     """Return what the moves in tilted planes, and their blocks with ``words`` (n, 5), leave open."""
     if planes is None:
         return []
-    return _vectors_in_planes(planes, motions) + _off_normal(planes, blocks, tool_axes(kinematics, words))
+    axis = tool_axes(kinematics, words)
+    return (
+        _vectors_in_planes(planes, motions)
+        + _off_normal(planes, blocks, axis)
+        + _opposite(planes, blocks, axis)
+    )
 
 
 def _vectors_in_planes(planes: Planes, motions: Moves) -> list[Finding]:
@@ -92,8 +100,7 @@ def _off_normal(planes: Planes, blocks: Blocks, axis: Floats) -> list[Finding]:
     nobody guides the tip."""
     meaning = blocks.meaning
     rows = np.flatnonzero((meaning >= IN_PLANE) & ~blocks.on & ~planes.frames(meaning))
-    normal = planes.turn[meaning[rows] - IN_PLANE, :, 2]
-    lean = np.degrees(2.0 * np.arcsin(np.clip(np.linalg.norm(axis[rows] - normal, axis=1) / 2.0, 0.0, 1.0)))
+    lean = _lean_in_planes(planes, meaning[rows], axis[rows])
     off = lean > OFF_NORMAL
     if not off.any():
         return []
@@ -107,3 +114,29 @@ def _off_normal(planes: Planes, blocks: Blocks, axis: Floats) -> list[Finding]:
     )
     line = int(blocks.at[block])
     return [report_finding(Code.PLANE_NOT_TAKEN, text, float(off.sum()), block=block, line=line)]
+
+
+def _opposite(planes: Planes, blocks: Blocks, axis: Floats) -> list[Finding]:
+    """Return the blocks (n,) in which the tip is guided in a plane or frame against whose normal the tool
+    points: a rotary word, or the machine, has the wrong sign."""
+    meaning = blocks.meaning
+    rows = np.flatnonzero((meaning >= IN_PLANE) & blocks.on)
+    rows = rows[_lean_in_planes(planes, meaning[rows], axis[rows]) > OPPOSITE]
+    if not len(rows):
+        return []
+    text = say(
+        "In {count} blocks the tool points against the normal of the frame that is turned there, as if it "
+        "cut from below. Compare the signs of the rotary words with those of the machine.",
+        count=len(rows),
+    )
+    line = int(blocks.at[rows[0]])
+    found = report_finding(Code.PLANE_NOT_TAKEN, text, float(len(rows)), block=int(rows[0]), line=line)
+    return [replace(found, severity=Severity.WARNING)]
+
+
+def _lean_in_planes(planes: Planes, meaning: Ints, axis: Floats) -> Floats:
+    """Return how far (n,) deg the tool ``axis`` (n, 3) leans from the normals of the planes that ``meaning``
+    (n,) names."""
+    normal = planes.turn[meaning - IN_PLANE, :, 2]
+    chord = np.linalg.norm(axis - normal, axis=1)
+    return np.asarray(np.degrees(2.0 * np.arcsin(np.clip(chord / 2.0, 0.0, 1.0))))
