@@ -308,7 +308,7 @@ def under_roof(found, length):
     return np.isclose(z, 10.0) & (np.abs(x) > 9.0) & (np.abs(x) < 13.5) & (np.abs(y - length / 2.0) < 20.0)
 
 
-@pytest.mark.parametrize("kind", ["ball", "flat"])
+@some_in_core("kind", ["ball", "flat"])
 def test_where_the_end_fits_under_a_roof_and_the_rest_does_not_it_is_the_flank(kind, coarse):
     """The roof is 9 mm over the floor: a ball of 6 mm fits below it, and so does as much of a flat cutter,
     but no cutter 30 mm long, which leaves the roof beside by 10 mm at most. Under a roof 5 mm over the floor
@@ -323,6 +323,7 @@ def test_where_the_end_fits_under_a_roof_and_the_rest_does_not_it_is_the_flank(k
         assert some.any() and (found.obstacle[some] == reason).all(), gap
 
 
+@pytest.mark.thorough
 def test_a_lollipop_reaches_under_the_roof_where_the_flank_of_a_ball_is_in_the_way(coarse):
     mesh = roofed(9.0, 120.0)
     ball, lollipop = (reach_map(mesh, Reacher(one)) for one in (BALL, Cutter(6.0, 30.0, neck=3.0)))
