@@ -306,7 +306,7 @@ def radius_too_large(found: Last) -> float:
 
 def advice(found: Last) -> list[Sentence]:
     """Return what would help where the holder is in the way, and where the cutter is too large or its
-    flank in the way, and what of that the tool does not get away from: a sentence each."""
+    flank in the way, and where the tool cannot be withdrawn: a sentence each."""
     chart = found.chart
     held, (step, area) = compute_held_area(chart), stick_out(chart)
     by_machine = chart.area_of(Obstacle.MACHINE) > 0.0

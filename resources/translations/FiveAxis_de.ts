@@ -5200,6 +5200,14 @@
         <translation>Auf {area} der bearbeiteten Fläche wird um mehr als {tolerance} zu tief gefräst, am meisten bei {place}: {height}; insgesamt {volume}. Das Werkzeug dort abheben lassen ({lift}) oder einen kleineren Fräser nehmen.</translation>
     </message>
     <message>
+        <source>On {length} of the passes, the first at {place}, the tool is free, but the part is over it, and it cannot get out along its axis; they are left out. Turn the part or, where it is the holder that is held, use a smaller holder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {length} of the passes, the first at {place}, the tool is free, but the part is over it, and it cannot get out along its axis; they are left out. Turn the part, or cut this side in another setup.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>On {machine} with correction {cure} the path cannot be driven: {problem}</source>
         <translation>Auf {machine} mit Korrektur {cure} kann der Werkzeugweg nicht gefahren werden: {problem}</translation>
     </message>
@@ -5226,18 +5234,6 @@
     <message>
         <source>Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at its tip, not with its flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the normal, as with {tilt} {middle}.</source>
         <translation>Auf {length} der Bahnen, zuerst bei {place}, berührt der Tonnenfräser mit der Kugel von {corner} an seiner Spitze, nicht mit seiner Flanke, und die Kuppen werden so hoch, wie diese Kugel sie lässt. Die Achse um {begins} bis {most} zur Flächennormalen neigen, etwa mit {tilt} {middle}.</translation>
-    </message>
-    <message>
-        <source>Over {length} of the passes, the first at {place}, the part is round the tool on all sides, a closed hollow into which no tool gets; they are left out.</source>
-        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkstück auf allen Seiten um das Werkzeug, ein geschlossener Hohlraum, in den kein Werkzeug kommt; sie werden ausgelassen.</translation>
-    </message>
-    <message>
-        <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or cut this side in another setup.</source>
-        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder diese Seite in einer anderen Aufspannung fräsen.</translation>
-    </message>
-    <message>
-        <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.</source>
-        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder einen kleineren Halter nehmen.</translation>
     </message>
     <message>
         <source>Passes are only {step} apart, because the cutter touches with its edge where the surface is aslant to its axis; a ball of its diameter would take {ball}. Use a ball or a bull nose cutter, or a tool axis that follows the surface.</source>
@@ -9726,6 +9722,10 @@
     <message>
         <source>{length} of the passes are left out, because {why}. {remedy}</source>
         <translation>{length} der Bahnen sind ausgelassen, weil {why}. {remedy}</translation>
+    </message>
+    <message>
+        <source>{length} of the passes, the first at {place}, lie in a closed hollow of the part, which no tool can enter; they are left out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it.</source>

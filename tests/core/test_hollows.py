@@ -46,6 +46,17 @@ def test_the_walls_of_a_void_are_in_a_closed_hollow_and_so_is_what_lies_loose_in
     assert area_found(np.concatenate([with_void(), beside])) == pytest.approx((19000.0, 3600.0))
 
 
+def test_solids_that_touch_along_an_edge_or_a_face_are_closed_all_the_same():
+    for other in (box((60, 50, 0), (90, 90, 40)), box((60, 0, 0), (90, 50, 40))):
+        assert area_found(np.concatenate([with_void(), other]))[1] == pytest.approx(3600.0)
+    at_the_edge = box((5, 5, 30), (15, 13, 35), True)  # two voids that share a corner
+    assert area_found(np.concatenate([with_void(), at_the_edge]))[1] == pytest.approx(3600.0 + 340.0)
+
+
+def test_of_an_open_part_no_room_is_called_closed():
+    assert area_found(with_void()[1:])[1] == 0.0
+
+
 def test_a_void_within_what_lies_in_a_void_is_one_too():
     loose = np.concatenate([box((17, 15, 12), (43, 35, 28)), box((25, 20, 15), (35, 30, 25), True)])
     inner, loose_area = 600.0, 2 * (26 * 20 + 26 * 16 + 20 * 16)

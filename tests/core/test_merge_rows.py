@@ -193,6 +193,41 @@ def test_between_the_rows_left_out_it_is_as_near():
     assert_near(finer, fine, merged, turned, BALL)
 
 
+GUIDED = ToolPoints(5.0, 5.0, 0.0)
+"""A ball whose tip goes straight: its hub swings with the axis."""
+
+
+def jumps(degrees, seed, count=60):
+    """A hub that stands nearly still while the axis, which trembles, jumps to and fro every third row."""
+    random, row = np.random.default_rng(seed), np.arange(count)
+    angle = np.where(row % 6 < 3, 0.0, math.radians(degrees)) + random.normal(0.0, 1e-3, count)
+    hub = np.stack([5e-5 * row, 0.0 * row, 0.0 * row], axis=1)
+    axis = np.stack([np.sin(angle), random.normal(0.0, 1e-3, count), np.cos(angle)], axis=1)
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    return path_of(hub, np.tile([0.0, 0.0, 1.0], (count, 1))), axis
+
+
+def largest_between(path, axis, pieces=16):
+    """How far, mm, places between the rows of a guided path are across its surface from the merged one."""
+    merged, turned = merged_by(path, axis, GUIDED, ALLOWED)
+    given, _, _ = dense_motion(path, axis, GUIDED, pieces)
+    near, _, _ = dense_motion(merged, turned, GUIDED, 4000)
+    off = [np.abs((near - one)[:, 2])[np.abs(near - one)[:, :2].max(axis=1) < 0.005] for one in given]
+    return max(one.min() for one in off if len(one))
+
+
+@pytest.mark.parametrize("degrees", [10.0, 29.0, 70.0])
+def test_where_the_axis_jumps_a_hub_over_the_straight_point_is_near_between_rows_too(degrees):
+    path, axis = jumps(degrees, 1)
+    assert largest_between(path, axis) <= 1.1 * ALLOWED.off
+
+
+def test_a_jump_whose_rows_are_merged_would_be_noticed(monkeypatch):
+    monkeypatch.setattr(merging, "TURNS", math.pi)
+    path, axis = jumps(70.0, 1)
+    assert largest_between(path, axis) > 1.5 * ALLOWED.off
+
+
 def test_brute_force_would_notice():
     path, axis = wander(0)
     wide = replace(ALLOWED, off=0.004, aside=0.04, tip=0.08)

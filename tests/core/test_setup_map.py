@@ -362,6 +362,9 @@ def test_a_part_is_turned_only_where_that_gains():
     assert (
         recommend_setup(origin, base, near, alike, one, within, 0.0, np.array([2.0 * math.pi, 3.0, 3.0])) == 0
     )
+    quarters = np.array([1.0, 0.5 * math.pi, 1.5 * math.pi])  # to one side and to the other: the nearer one
+    apart, wanted = np.array([[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), np.arange(3) > 0
+    assert recommend_setup(apart, (0.0, 0.0, 0.0), alike, alike, one, wanted, 0.0, quarters) == 2
 
 
 def test_why_another_than_the_least_is_recommended_is_stated(chart):

@@ -8,7 +8,7 @@ import pytest
 from revolved import solid_of_revolution
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.passes import Region
+from freecad_fiveaxis.core.passes import Region, untouched
 from freecad_fiveaxis.core.passes.untouched import find_left
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.settings import build_settings
@@ -103,6 +103,22 @@ def test_small_facets_between_two_passes_are_swept_and_between_two_far_apart_are
     near, far = np.arange(0.4, 20.0, 1.0), [*np.arange(0.4, 7.0, 1.0), *np.arange(13.4, 20.0, 1.0)]
     assert left_of(flat, near) == 0.0
     assert left_of(flat, far) == pytest.approx(20.0 * (13.25 - 6.5), rel=0.02)
+
+
+def test_places_far_from_the_rim_are_left_whether_or_not_they_are_compared_with_it(monkeypatch):
+    """In the middle of a disc all of its rim is equally far; the bound of the search changes no answer."""
+    mesh = frustum()
+    touched = np.flatnonzero(np.abs(mesh.normal[:, 2]) < 0.9)
+    region = Region(mesh, np.ones(len(mesh.face), bool), 3.0, 0.4)
+    bounded = find_left(region, touched)
+    query = untouched.scipy.spatial.cKDTree
+
+    class Unbounded(query):
+        def query(self, place, k=1, distance_upper_bound=np.inf):
+            return super().query(place, k=k)
+
+    monkeypatch.setattr(untouched.scipy.spatial, "cKDTree", Unbounded)
+    assert len(bounded) and np.array_equal(bounded, find_left(region, touched))
 
 
 def test_in_a_hollow_a_ball_sweeps_more_between_passes():

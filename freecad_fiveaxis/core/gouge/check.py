@@ -146,7 +146,7 @@ def _find_above(
     blocks = np.flatnonzero(rough.depth)
     blocks = blocks[np.argsort(-rough.bound[blocks], kind="stable")[:CLOSER]]
     if len(blocks):
-        rough.replace_rows(find_entries(above, tree, swept, tolerance, blocks=blocks), blocks)
+        rough.replace_rows(find_entries(above, tree, swept, tolerance, None, blocks, progress), blocks)
     return rough
 
 

@@ -46,8 +46,16 @@ def _measure_volumes(mesh: Mesh, shell: Ints) -> Floats:
     border, and encloses nothing."""
     a, b, c = (mesh.vertex[corner] - mesh.vertex.mean(axis=0) for corner in mesh.face.T)
     volume = np.bincount(shell, np.einsum("fx,fx->f", a, np.cross(b, c)) / 6.0)
-    volume[shell[mesh.coedge_face[mesh.coedge_face[:, 1] < 0, 0]]] = 0.0
+    volume[shell[mesh.coedge_face[_find_borders(mesh), 0]]] = 0.0
     return np.asarray(volume)
+
+
+def _find_borders(mesh: Mesh) -> Ints:
+    """Find the edges (k,) of an odd number of facets: at an edge of four two solids touch, none is open."""
+    alone = np.flatnonzero(mesh.coedge_face[:, 1] < 0)
+    low, high = np.sort(mesh.coedge_vertex[alone], axis=1).T
+    _, edge, count = np.unique(low * len(mesh.vertex) + high, return_inverse=True, return_counts=True)
+    return np.asarray(alone[count[edge] % 2 == 1])
 
 
 def _choose_largest(mesh: Mesh, shell: Ints) -> Ints:

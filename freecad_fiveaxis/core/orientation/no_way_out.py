@@ -15,16 +15,17 @@ from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 _HOLLOW = Template(
-    "Over {length} of the passes, the first at {place}, the part is round the tool on all sides, a closed "
-    "hollow into which no tool gets; they are left out."
+    "{length} of the passes, the first at {place}, lie in a closed hollow of the part, which no tool can "
+    "enter; they are left out."
 )
 _TURN = Template(
-    "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it "
-    "could not get out along its axis; they are left out. Turn the part, or cut this side in another setup."
+    "On {length} of the passes, the first at {place}, the tool is free, but the part is over it, and it "
+    "cannot get out along its axis; they are left out. Turn the part, or cut this side in another setup."
 )
 _HOLDER = Template(
-    "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it "
-    "could not get out along its axis; they are left out. Turn the part, or use a smaller holder."
+    "On {length} of the passes, the first at {place}, the tool is free, but the part is over it, and it "
+    "cannot get out along its axis; they are left out. Turn the part or, where it is the holder that is held, "
+    "use a smaller holder."
 )
 
 

@@ -15,6 +15,7 @@ import math
 import numpy as np
 import scipy
 
+from freecad_fiveaxis.core.base.chunks import chunks
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -107,16 +108,31 @@ def _are_beside(mesh: Mesh, rows: Ints, there: Ints, apart: float) -> Bools:
 def _are_swept(mesh: Mesh, rows: Ints, there: Ints, radius: float, apart: float) -> Bools:
     """Tell of which narrow facets ``rows`` (k,) a ball of ``radius`` mm leaves hardly anything where it
     touches the rim of the facets ``there`` (n,)."""
+    if not len(rows):
+        return np.zeros(0, np.bool_)
     rim, normal = _sample_rim(mesh, there, FINE * apart)
-    if not len(rows) or not len(rim):
+    if not len(rim):
         return np.zeros(len(rows), np.bool_)
     place, of = _sample_inside(mesh, rows, FINE * apart)
-    near = scipy.spatial.cKDTree(rim).query(place, k=min(NEAREST, len(rim)))[1].reshape(len(place), -1)
     radius = max(radius, apart)
-    centre = rim[near] + radius * normal[near]
-    height = np.linalg.norm(place[:, None] - centre, axis=2).min(axis=1) - radius
-    left = np.bincount(of, height > radius - math.sqrt(radius**2 - apart**2), len(rows))
-    return np.asarray(left == 0)
+    centre, tree = rim + radius * normal, scipy.spatial.cKDTree(rim)
+    allowed = radius - math.sqrt(radius**2 - apart**2)
+    parts = [_stands_over(place[part], tree, centre, radius, allowed) for part in chunks(len(place))]
+    return np.asarray(np.bincount(of, np.concatenate(parts), len(rows)) == 0)
+
+
+def _stands_over(
+    place: Floats, tree: scipy.spatial.cKDTree, centre: Floats, radius: float, allowed: float
+) -> Bools:
+    """Tell which places (m, 3) stand more than ``allowed`` mm over the balls (n, 3) of ``radius`` mm that touch
+    the nearest points of the rim, which the ``tree`` holds. No ball of a point farther off reaches a place, and
+    to compare all those that are would take longest in the middle of a disc."""
+    reach = (2.0 * radius + allowed) * (1.0 + 1e-9)
+    near = tree.query(place, k=min(NEAREST, len(centre)), distance_upper_bound=reach)[1].reshape(
+        len(place), -1
+    )
+    balls = np.append(centre, [[np.inf] * 3], axis=0)[near]  # what is not found has the number after the last
+    return np.asarray(np.linalg.norm(place[:, None] - balls, axis=2).min(axis=1) - radius > allowed)
 
 
 def _sample_rim(mesh: Mesh, there: Ints, step: float) -> tuple[Floats, Floats]:

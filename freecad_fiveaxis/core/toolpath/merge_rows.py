@@ -9,7 +9,8 @@ span      the motion between two neighbouring rows that are kept: its straight p
 miss      how far a row that was left out is from its span, as a share of what is allowed; at most 1.
           It is measured to one place of the span, and the places of consecutive rows need not be told apart
           further: between two rows both motions are straight, so the way given is nowhere farther from the
-          span than at its rows.
+          span than at its rows; but for the axis, whose way is a great arc. Where it turns far in one step (TURNS)
+          a hub that stands over the straight point would swing off between them: both rows stay.
 crowd     rows that are on average nearer to each other than CROWD tolerances. Chords of that length leave an
           arc of a radius of 80 tolerances by a tenth of the tolerance: rows that crowd are more than even a
           path that turns as tightly as that would ask for.
@@ -32,6 +33,9 @@ from .coedge import OffsetPath
 
 CROWD = 8.0
 """Of the tolerance. At the usual tolerance and feed a controller has to read 200 such blocks a second."""
+
+TURNS = math.radians(5.0)
+"""In one step. A chord of an arc of that angle is off it by a thousandth of the radius."""
 
 PORTION = 32768
 """Spans looked at by one thread at a time."""
@@ -71,11 +75,13 @@ def rows_crowd(path: OffsetPath, tolerance: float) -> bool:
 def find_kept_rows(path: OffsetPath, axis: Floats, tool: ToolPoints, allowed: Allowance) -> Ints:
     """Find the rows (k,) that are kept, so that every other one is within ``allowed`` of the span over it.
 
-    ``path`` has the cutter's hubs for its centres, ``axis`` (n, 3) is unit. Ends of polylines and the rows of
-    sharp edges (CREASE) stay.
+    ``path`` has the cutter's hubs for its centres, ``axis`` (n, 3) is unit. Ends of polylines stay, and the rows
+    of sharp edges (CREASE) and of steps in which the axis turns far (TURNS).
     """
     line = path.polyline
     fixed = (np.diff(line, prepend=-1) != 0) | (np.diff(line, append=-1) != 0) | _is_sharp(path)
+    far = _angle(np.diff(axis, axis=0)) > TURNS
+    fixed |= np.append(far, False) | np.append(False, far)
     return _keep(_Way.of(path, axis, tool), fixed, allowed)
 
 

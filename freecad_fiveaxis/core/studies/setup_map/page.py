@@ -303,7 +303,7 @@ def _say_proven(chart: SetupMap) -> str:
 def _say_equal(chart: SetupMap) -> str:
     """Say why another setup of the map than that of the least deviation is recommended; nothing where it is
     that one."""
-    able = chart.max_deviation[chart.able]
+    able = chart.max_deviation[chart.able & (chart.kind != Kind.PRESENT)]
     if chart.best is None or not len(able) or chart.max_deviation[chart.best] <= np.nanmin(able):
         return ""
     return (

@@ -35,6 +35,9 @@ MOST_SETUPS = 20_000
 """Setups of one map: each is a program of its own that is posted and measured."""
 FARTHEST = 1e5
 """mm; a work zero farther off than this is a slip of the pen."""
+ALIKE = 1e-9
+"""rad; turns that differ by less are alike, to one side and to the other."""
+
 AS_GOOD = 1.01
 """Deviations that differ by no more than a hundredth are one to anybody who clamps a part by hand."""
 WORD_STEP = 1e-4
@@ -199,7 +202,7 @@ def recommend_setup(
     rows = rows[rewinds[rows] == rewinds[rows].min()]
     rows = rows[time[rows] <= AS_GOOD * time[rows].min()]
     turned = np.abs(np.angle(np.exp(1j * np.broadcast_to(turn, len(origin)))))[rows]
-    rows = rows[turned == turned.min()]
+    rows = rows[turned <= turned.min() + ALIKE]
     return int(rows[np.linalg.norm(origin[rows] - np.array(base), axis=1).argmin()])
 
 
