@@ -84,3 +84,35 @@ def test_klartext_shows_its_language_whatever_number_its_first_block_has(number:
         "linuxcnc",
     )
     assert path(program) == ["f 5 0 20"] and [one.code for one in program.findings] == ["other-language"]
+
+
+@pytest.mark.parametrize("mark", ["%", "%%", " % "])
+@pytest.mark.parametrize(
+    ("head", "severity"),
+    [
+        ("G0 X0. Y0. Z50. A0. C0.\nG1 X77. F100\nM99\n", Severity.WARNING), ("G21\n", Severity.NOTE),
+        ("A TITLE OF THE SHOP\n", Severity.NOTE), ("TOOLS T1 D10\n\n", Severity.NOTE),
+    ],
+)  # fmt: skip
+def test_the_leader_before_the_first_percent_sign_is_not_the_program(
+    head: str, severity: Severity, mark: str
+) -> None:
+    program = read(f"{head}{mark}\nO1\n{BODY}{mark}\n", "haas")
+    assert path(program) == ["f 5 0 20"]
+    found = [one for one in program.findings if one.code == "not-nc-text"]
+    assert [(one.line, one.severity) for one in found] == [(1, severity)]
+    last = len(head.strip().split("\n"))
+    assert f"1 to {last} " in found[0].text and "text-after-end" not in [one.code for one in program.findings]
+
+
+def test_between_two_percent_signs_stands_a_head_without_moves() -> None:
+    program = read("%\n(A HEAD)\n%\nO1\n" + BODY + "%\n", "haas")
+    assert path(program) == ["f 5 0 20"] and program.line.tolist() == [6, 7]
+    assert "not-nc-text" not in [one.code for one in program.findings]
+
+
+@pytest.mark.parametrize("behind", ["", "G1 X99. F100\n", "(A NOTE)\nSEE THE DRAWING\n"])
+def test_a_single_percent_sign_may_be_the_closing_one(behind: str) -> None:
+    program = read(BODY + "%\n" + behind, "haas")
+    assert path(program) == ["f 5 0 20"]
+    assert [one.code for one in program.findings if one.line == 5] == ["text-after-end"] * bool(behind)
