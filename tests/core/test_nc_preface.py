@@ -116,3 +116,24 @@ def test_a_single_percent_sign_may_be_the_closing_one(behind: str) -> None:
     program = read(BODY + "%\n" + behind, "haas")
     assert path(program) == ["f 5 0 20"]
     assert [one.code for one in program.findings if one.line == 5] == ["text-after-end"] * bool(behind)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "Information listing created by\tme\nDate\t15-Apr-2023 14:45:48\nCurrent work part\tD:\\A\\Part X5.prt\nNode name\tpc\n\n",
+        LISTING.replace("one.prt\n", "a_long_name_\n5.prt\n"), LISTING.replace("one.prt", "one\nX7.prt"),
+        "\ufeff" + LISTING.replace(" :", "\t"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("mark", ["%\n", ""])
+def test_the_head_of_a_listing_has_tabs_or_a_path_of_two_lines(head: str, mark: str) -> None:
+    program = read(head + mark + BODY + mark, "fanuc")
+    assert path(program) == ["f 5 0 20"]
+    assert program.line[0] == head.count("\n") + mark.count("\n") + 2
+    assert [one.severity for one in program.findings if one.code == "not-nc-text"] == [Severity.WARNING]
+
+
+def test_without_a_listing_its_words_are_refused() -> None:
+    with pytest.raises(ProgramError):
+        read("Date\t15-Apr-2023 14:45:48\n" + BODY, "fanuc")

@@ -27,9 +27,11 @@ END_SIGN = re.compile(rb"[\x03\x04][\x03\x04\x1a\s]*\Z")
 HEAD = 30
 """Lines at the start of a file in which a preface is looked for."""
 LISTING = re.compile(
-    rb"^(?: *=+ *| *(?:INFORMATION LISTING CREATED BY|DATE|CURRENT WORK PART|NODE NAME) *:[^\n]*)$",
+    rb"^(?: *=+ *| *(?:INFORMATION LISTING CREATED BY|DATE|NODE NAME)[ :][^\n]*"
+    rb"| *CURRENT WORK PART[ :][^\n]*(?:(?:\n[^\n]*){1,3}(?=\n *NODE NAME[ :]))?)$",
     re.MULTILINE,
 )
+"""A colon or a tab, by now a blank, stands behind each name; the part's path may go on in the next line."""
 LISTING_SIGN = b"INFORMATION LISTING CREATED BY"
 WORD = rb"(?<![A-Z])[A-Z] *[-+]?[0-9.]"
 NAME = re.compile(rb"^ *O(?! *[0-9<#\[])(?![^\n]*" + WORD + rb") *[A-Z][A-Z0-9 _.-]*$", re.MULTILINE)
@@ -171,4 +173,4 @@ def _marks(text: bytes) -> list[int]:
 
 
 def _blank(found: re.Match[bytes]) -> bytes:
-    return b" " * len(found[0])
+    return re.sub(rb"[^\n]", b" ", found[0])
