@@ -137,3 +137,18 @@ def test_the_head_of_a_listing_has_tabs_or_a_path_of_two_lines(head: str, mark: 
 def test_without_a_listing_its_words_are_refused() -> None:
     with pytest.raises(ProgramError):
         read("Date\t15-Apr-2023 14:45:48\n" + BODY, "fanuc")
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_a_carriage_return_in_a_comment_ends_no_line(end: str) -> None:
+    lines = [
+        "BEGIN PGM T MM", "; A DRILL\r FLUTES X7", "TOOL CALL 1 Z S1000", "L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX", "L X+5 F100",
+        "END PGM T MM", "",
+    ]  # fmt: skip
+    program = read(end.join(lines), "heidenhain")
+    assert path(program) == ["f 5 0 20"] and program.line.tolist() == [4, 5] and not program.findings
+
+
+def test_a_carriage_return_alone_ends_lines_where_most_end_so() -> None:
+    program = read(BODY.replace("\n", "\r") + "\n", "fanuc")
+    assert path(program) == ["f 5 0 20"] and program.line.tolist() == [2, 3]

@@ -49,6 +49,14 @@ LEADER_MOVES = Template(
 )
 
 
+def with_line_feeds(text: bytes) -> bytes:
+    """Return the text with LF alone at the end of each line. A CR alone ends one where lines end so; among
+    lines of LF or CRLF it is a blank."""
+    text = text.replace(b"\r\n", b"\n")
+    alone = text.count(b"\r")
+    return text.replace(b"\r", b" " if alone < text.count(b"\n") else b"\n") if alone else text
+
+
 def without_end_sign(text: bytes, findings: list[Finding]) -> bytes:
     """Blank the control characters with which a file ends."""
     found = END_SIGN.search(text[-200:])

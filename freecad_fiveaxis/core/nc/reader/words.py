@@ -41,7 +41,15 @@ from .no_motion import pass_over
 from .of_machine import NO_MACHINE, OfMachine
 from .plain_words import Plain, not_run, plain_words, relocate_finding
 from .plane_calls import Tilt
-from .preface import SOLID, between_marks, finding_at, line_end, without_end_sign, without_preface
+from .preface import (
+    SOLID,
+    between_marks,
+    finding_at,
+    line_end,
+    with_line_feeds,
+    without_end_sign,
+    without_preface,
+)
 from .siemens_cycles import Drill
 
 BRACKETS, SEMICOLON, STAR = (
@@ -200,7 +208,7 @@ def _blank_non_words(
     """Return the text in capitals, lines ending in LF, with blanks for all that is no word; what was passed
     over; what the text's own language brought."""
     findings: list[Finding] = []
-    text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    text = with_line_feeds(text.removeprefix(b"\xef\xbb\xbf"))
     text = without_end_sign(text, findings)
     if control := text.translate(None, TEXT):
         at = text.index(control[:1])
@@ -299,7 +307,7 @@ def _run_with_files(
 
 def _clean_called(text: bytes) -> bytes:
     """Return the text of a called file in capitals, lines ending in LF, with blanks for its comments."""
-    text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    text = with_line_feeds(text.removeprefix(b"\xef\xbb\xbf"))
     return _blank_comments(text, "iso").translate(CLEAN)
 
 
