@@ -152,3 +152,22 @@ def test_a_carriage_return_in_a_comment_ends_no_line(end: str) -> None:
 def test_a_carriage_return_alone_ends_lines_where_most_end_so() -> None:
     program = read(BODY.replace("\n", "\r") + "\n", "fanuc")
     assert path(program) == ["f 5 0 20"] and program.line.tolist() == [2, 3]
+
+
+@pytest.mark.parametrize("controller", ["heidenhain", "fanuc", "siemens840d"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_din_iso_with_a_star_in_its_last_line_alone(controller: str, end: str) -> None:
+    text = "% 12 G70\nN10 ; NOTE\nN20 G90\nN30 G0 X0 Y0 Z1 A0 C0\nN40 G1 X1. F100\nN99 % 12 G70 *\n\n"
+    program = read(text.replace("\n", end), controller)
+    assert path(program) == ["f 25.4 0 25.4"]
+    assert ("other-language" in [one.code for one in program.findings]) == (controller != "heidenhain")
+
+
+def test_a_percent_sign_within_a_line_of_other_controls_is_refused() -> None:
+    with pytest.raises(ProgramError):
+        read(BODY + "N99 % 12 G71\n", "fanuc")
+
+
+def test_a_carriage_return_before_a_block_number_ends_the_line() -> None:
+    program = read(BODY.replace("G1 X5. F100\n", "N1 G1 X5. F100\rN2 X6.\n"), "fanuc")
+    assert path(program) == ["f 5 0 20", "f 6 0 20"] and program.line.tolist() == [2, 3, 4]

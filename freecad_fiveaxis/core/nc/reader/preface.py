@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 SOLID = re.compile(rb"[^ \n]")
 END_SIGN = re.compile(rb"[\x03\x04][\x03\x04\x1a\s]*\Z")
+LONE_CR = re.compile(rb"\r(?! *N *[0-9])", re.IGNORECASE)
 HEAD = 30
 """Lines at the start of a file in which a preface is looked for."""
 LISTING = re.compile(
@@ -51,10 +52,11 @@ LEADER_MOVES = Template(
 
 def with_line_feeds(text: bytes) -> bytes:
     """Return the text with LF alone at the end of each line. A CR alone ends one where lines end so; among
-    lines of LF or CRLF it is a blank."""
+    lines of LF or CRLF it is a blank, but before a block number, where the LF was lost."""
     text = text.replace(b"\r\n", b"\n")
-    alone = text.count(b"\r")
-    return text.replace(b"\r", b" " if alone < text.count(b"\n") else b"\n") if alone else text
+    if 0 < text.count(b"\r") < text.count(b"\n"):
+        text = LONE_CR.sub(b" ", text)
+    return text.replace(b"\r", b"\n")
 
 
 def without_end_sign(text: bytes, findings: list[Finding]) -> bytes:
