@@ -106,7 +106,7 @@ def _without_end(
     which, row = statements.which[events], statements.row[events]
     moves = np.append(row[1:], rows) > row
     open_ = np.flatnonzero(drills[which][:-1] & ends[which][1:])
-    later = np.array([bool(moves[k + 1 : _next_cycle(ends[which], k + 1)].any()) for k in open_], np.bool_)
+    later = np.array([bool(moves[k + 1 : _next_cycle(ends[which], int(k) + 1)].any()) for k in open_], np.bool_)
     open_ = open_[later]
     if not len(open_):
         return
