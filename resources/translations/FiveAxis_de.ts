@@ -5380,6 +5380,10 @@
         <translation>Der Zyklus G{code} wird nicht ausgeschrieben, seine Bewegungen fehlen: {reason}. Ihn berichtigen oder gerade Bewegungen ausgeben.</translation>
     </message>
     <message>
+        <source>The cycle G{code} is not written out, and the moves of its {count} holes are missing: {reason}. Correct it, or post straight moves.</source>
+        <translation>Der Zyklus G{code} wird nicht ausgeschrieben, und die Bewegungen seiner {count} Bohrungen fehlen: {reason}. Berichtigen oder gerade Bewegungen ausgeben.</translation>
+    </message>
+    <message>
         <source>The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.</source>
         <translation>Die Anzeige zeigt {place}. Das Werkzeug steht senkrecht, der Tisch waagrecht. Nichts ist nahe am Werkzeug.</translation>
     </message>
