@@ -199,6 +199,6 @@ def test_a_cycle_that_nothing_ends_ends_at_the_next_tool_operation_or_arc(end: s
 
 
 @pytest.mark.parametrize("end", ["CYCLE/OFF\nLOADTL/2\nGOTO/1,1,1\n", "LOADTL/2\nFINI\n"])
-def test_nothing_is_said_where_no_move_follows_the_cycle(end: str) -> None:
+def test_nothing_is_stated_where_no_move_follows_the_cycle(end: str) -> None:
     text = "UNITS/MM\nFEDRAT/100,MMPM\nCYCLE/DRILL,DEPTH,4,CLEAR,2\nGOTO/0,0,0\n"
     assert "no-hole-in-cycle" not in [one.code for one in read_apt(text + end).findings]
