@@ -4600,6 +4600,10 @@
         <translation>Eine andere Anzeige oder Stellung: Nullpunktverschiebung, Werkzeuglänge oder Nullstellungen sind nicht gesetzt.</translation>
     </message>
     <message>
+        <source>A drilling cycle (line {line}) is not ended by CYCLE/OFF: it is taken to end at the next tool, operation or arc (line {end}), and the moves behind that drill no holes. Say CYCLE/OFF.</source>
+        <translation>Ein Bohrzyklus (Zeile {line}) wird nicht durch CYCLE/OFF beendet: Er gilt als beendet beim nächsten Werkzeug, Arbeitsgang oder Bogen (Zeile {end}), und die Bewegungen danach bohren nicht. CYCLE/OFF angeben.</translation>
+    </message>
+    <message>
         <source>A drilling cycle dwells at the bottom (line {line}): the tool does not wait there in the program.</source>
         <translation>Ein Bohrzyklus verweilt am Grund (Zeile {line}): Im Programm wartet das Werkzeug dort nicht.</translation>
     </message>
@@ -4648,8 +4652,8 @@
         <translation>Ein Kreisbogen geht nicht durch die Punkte vor und nach ihm (Zeile {line}: {off} daneben, Radius {radius}); der Weg ist dort gerade. Hat das CAM-System eine Bewegung ausgelassen, oder sind die Einheiten gemischt?</translation>
     </message>
     <message>
-        <source>An arc lacks its start or its end (line {line}): it stands before the first move, after the last one, or before another arc, or its direction points to its centre. The path goes straight there.</source>
-        <translation>Einem Kreisbogen fehlt Anfang oder Ende (Zeile {line}): Er steht vor der ersten Bewegung, nach der letzten oder vor einem anderen Bogen, oder seine Richtung zeigt auf seinen Mittelpunkt. Der Weg ist dort gerade.</translation>
+        <source>An arc lacks its start or its end (line {line}): it stands before the first move, after the last one, before another arc or a hole, or its direction points to its centre. The path goes straight there.</source>
+        <translation>Einem Bogen fehlt Anfang oder Ende (Zeile {line}): Er steht vor der ersten Bewegung, nach der letzten, vor einem anderen Bogen oder einer Bohrung, oder seine Richtung zeigt auf seinen Mittelpunkt. Die Bahn geht dort gerade.</translation>
     </message>
     <message>
         <source>An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
@@ -5052,6 +5056,14 @@
         <translation>Die Grenzen{of} bleiben offen, und größte Geschwindigkeiten sind angenommen (10 m/min, 10 Umdrehungen je Minute): keine Zeile sagt sie. Nach dem Datenblatt der Maschine berichtigen.</translation>
     </message>
     <message>
+        <source>Lines {first} to {last} stand before the % that begins the program, and hold moves; they are not read, as controls do not read them. If they belong to the program, put them behind the %.</source>
+        <translation>Die Zeilen {first} bis {last} stehen vor dem %, mit dem das Programm beginnt, und enthalten Bewegungen; sie werden nicht gelesen, wie auch Steuerungen sie nicht lesen. Gehören sie zum Programm, hinter das % setzen.</translation>
+    </message>
+    <message>
+        <source>Lines {first} to {last} stand before the % that begins the program; they are not read, as controls do not read them.</source>
+        <translation>Die Zeilen {first} bis {last} stehen vor dem %, mit dem das Programm beginnt; sie werden nicht gelesen, wie auch Steuerungen sie nicht lesen.</translation>
+    </message>
+    <message>
         <source>M70 to M73 keep and restore modes</source>
         <translation>M70 bis M73 merken und stellen Zustände wieder her</translation>
     </message>
@@ -5201,11 +5213,11 @@
     </message>
     <message>
         <source>On {length} of the passes, the first at {place}, the tool is free, but the part is over it, and it cannot get out along its axis; they are left out. Turn the part or, where it is the holder that is held, use a smaller holder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Werkstück ist über ihm, und es kommt entlang seiner Achse nicht heraus; sie sind ausgelassen. Das Werkstück drehen oder, wo der Halter anstößt, einen kleineren Halter nehmen.</translation>
     </message>
     <message>
         <source>On {length} of the passes, the first at {place}, the tool is free, but the part is over it, and it cannot get out along its axis; they are left out. Turn the part, or cut this side in another setup.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Werkstück ist über ihm, und es kommt entlang seiner Achse nicht heraus; sie sind ausgelassen. Das Werkstück drehen oder diese Seite in einer anderen Aufspannung bearbeiten.</translation>
     </message>
     <message>
         <source>On {machine} with correction {cure} the path cannot be driven: {problem}</source>
@@ -5366,6 +5378,10 @@
     <message>
         <source>The cycle G{code} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.</source>
         <translation>Der Zyklus G{code} wird nicht ausgeschrieben, seine Bewegungen fehlen: {reason}. Ihn berichtigen oder gerade Bewegungen ausgeben.</translation>
+    </message>
+    <message>
+        <source>The cycle G{code} is not written out, and the moves of its {count} holes are missing: {reason}. Correct it, or post straight moves.</source>
+        <translation>Der Zyklus G{code} wird nicht ausgeschrieben, und die Bewegungen seiner {count} Bohrungen fehlen: {reason}. Berichtigen oder gerade Bewegungen ausgeben.</translation>
     </message>
     <message>
         <source>The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.</source>
@@ -9172,8 +9188,8 @@
         <translation>{count} Kreisbögen haben keinen Mittelpunkt, der zu Anfang und Ende passt; sie werden als Geraden genommen. Geraden ausgeben.</translation>
     </message>
     <message>
-        <source>{count} arcs lack their start or their end (first line {line}): they stand before the first move, after the last one, or before another arc, or their direction points to their centre. The path goes straight there.</source>
-        <translation>{count} Kreisbögen fehlt Anfang oder Ende (zuerst Zeile {line}): Sie stehen vor der ersten Bewegung, nach der letzten oder vor einem anderen Bogen, oder ihre Richtung zeigt auf ihren Mittelpunkt. Der Weg ist dort gerade.</translation>
+        <source>{count} arcs lack their start or their end (first line {line}): they stand before the first move, after the last one, before another arc or a hole, or their direction points to their centre. The path goes straight there.</source>
+        <translation>{count} Bögen fehlt Anfang oder Ende (erste Zeile {line}): Sie stehen vor der ersten Bewegung, nach der letzten, vor einem anderen Bogen oder einer Bohrung, oder ihre Richtung zeigt auf ihren Mittelpunkt. Die Bahn geht dort gerade.</translation>
     </message>
     <message>
         <source>{count} arcs run back against the straight moves beside them (first line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
@@ -9242,6 +9258,10 @@
     <message>
         <source>{count} corners next to others, the first at {at}, were joined with them.</source>
         <translation>{count} Ecken dicht neben anderen, die erste bei {at}, wurden mit diesen verbunden.</translation>
+    </message>
+    <message>
+        <source>{count} drilling cycles (first line {line}) are not ended by CYCLE/OFF: they are taken to end at the next tool, operation or arc (first line {end}), and the moves behind that drill no holes. Say CYCLE/OFF.</source>
+        <translation>{count} Bohrzyklen (erste Zeile {line}) werden nicht durch CYCLE/OFF beendet: Sie gelten als beendet beim nächsten Werkzeug, Arbeitsgang oder Bogen (zuerst Zeile {end}), und die Bewegungen danach bohren nicht. CYCLE/OFF angeben.</translation>
     </message>
     <message>
         <source>{count} drilling cycles dwell at the bottom (first line {line}): the tool does not wait there in the program.</source>
@@ -9725,7 +9745,7 @@
     </message>
     <message>
         <source>{length} of the passes, the first at {place}, lie in a closed hollow of the part, which no tool can enter; they are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{length} der Bahnen, zuerst bei {place}, liegen in einem geschlossenen Hohlraum des Werkstücks, in den kein Werkzeug kommt; sie sind ausgelassen.</translation>
     </message>
     <message>
         <source>{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it.</source>

@@ -179,3 +179,26 @@ def test_a_file_of_holes_is_posted(tmp_path) -> None:
     result = job.run(build_settings("post", str(tmp_path / "holes.ncl"), options))
     assert not [found for found in result.findings if found.severity is Severity.ERROR]
     assert result.draft.program.words[:, 2].min() == pytest.approx(-3.0)
+
+
+@pytest.mark.parametrize("end", ["LOADTL/2", "LOAD/TOOL,2", "TOOL PATH/NEXT,TOOL,M", "CIRCLE/5,0,0,0,0,1,5"])
+def test_a_cycle_that_nothing_ends_ends_at_the_next_tool_operation_or_arc(end: str) -> None:
+    arc = end if end.startswith("CIRCLE") else f"{end}\nGOTO/0,0,0\nCIRCLE/5,0,0,0,0,1,5"
+    text = (
+        "UNITS/MM\nFEDRAT/100,MMPM\nLOADTL/1\nGOTO/0,0,9\nCYCLE/DRILL,DEPTH,4,MMPM,50,CLEAR,2\nGOTO/0,0,0\n"
+        + arc + "\nGOTO/10,0,0\nGOTO/20,0,0\nFINI\n"
+    )  # fmt: skip
+    path = read_apt(text)
+    assert (path.tip[:, 2] < -1.0).sum() == 1, "one hole"
+    assert abs(path.tip[:, 1]).max() > 4.0, "the arc is driven"
+    found = [one for one in path.findings if one.code in ("arc-does-not-fit", "no-hole-in-cycle")]
+    assert [(one.code, one.line, one.severity) for one in found] == [
+        ("no-hole-in-cycle", 5, Severity.WARNING)
+    ]
+    assert "(line 7)" in found[0].text
+
+
+@pytest.mark.parametrize("end", ["CYCLE/OFF\nLOADTL/2\nGOTO/1,1,1\n", "LOADTL/2\nFINI\n"])
+def test_nothing_is_stated_where_no_move_follows_the_cycle(end: str) -> None:
+    text = "UNITS/MM\nFEDRAT/100,MMPM\nCYCLE/DRILL,DEPTH,4,CLEAR,2\nGOTO/0,0,0\n"
+    assert "no-hole-in-cycle" not in [one.code for one in read_apt(text + end).findings]

@@ -245,3 +245,16 @@ def test_heights_reported_before_the_way_of_counting_changes_stay_where_they_are
     assert path(row) == ["r 5 5 20", *there] and not errors(row)
     kept = read(HEAD + f"G91 G99 G81 R-18. Z-12. {letter}0\nG90 X5. Y5.\nG91 Z-2. X1.\nG80\n", controller)
     assert path(kept) == ["r 5 5 20", *[move.format(5) for move in hole], "r 6 5 2", "f 6 5 0", "r 6 5 2"]
+
+
+def test_one_finding_tells_a_cycle_that_is_refused_with_its_holes() -> None:
+    holes = "".join(f"X{k}.\n" for k in range(2, 23))
+    program = read(
+        HEAD + "G1 X1.\nG81 X1. Z5. R2.\n" + holes + "G80\nG81 X1. R2.\nX3.\nG80\nG1 X9.\n", "fanuc"
+    )
+    found = [one for one in program.findings if "not written out" in one.text]
+    assert [(one.code, one.line, one.value) for one in found] == [
+        ("cycle-not-interpreted", 4, 22.0), ("cycle-not-interpreted", 27, 2.0)
+    ]  # fmt: skip
+    assert "22 holes" in found[0].text
+    assert "word-not-interpreted" not in [one.code for one in program.findings]

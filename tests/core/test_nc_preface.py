@@ -84,3 +84,90 @@ def test_klartext_shows_its_language_whatever_number_its_first_block_has(number:
         "linuxcnc",
     )
     assert path(program) == ["f 5 0 20"] and [one.code for one in program.findings] == ["other-language"]
+
+
+@pytest.mark.parametrize("mark", ["%", "%%", " % "])
+@pytest.mark.parametrize(
+    ("head", "severity"),
+    [
+        ("G0 X0. Y0. Z50. A0. C0.\nG1 X77. F100\nM99\n", Severity.WARNING), ("G21\n", Severity.NOTE),
+        ("A TITLE OF THE SHOP\n", Severity.NOTE), ("TOOLS T1 D10\n\n", Severity.NOTE),
+    ],
+)  # fmt: skip
+def test_the_leader_before_the_first_percent_sign_is_not_the_program(
+    head: str, severity: Severity, mark: str
+) -> None:
+    program = read(f"{head}{mark}\nO1\n{BODY}{mark}\n", "haas")
+    assert path(program) == ["f 5 0 20"]
+    found = [one for one in program.findings if one.code == "not-nc-text"]
+    assert [(one.line, one.severity) for one in found] == [(1, severity)]
+    last = len(head.strip().split("\n"))
+    assert f"1 to {last} " in found[0].text and "text-after-end" not in [one.code for one in program.findings]
+
+
+def test_between_two_percent_signs_stands_a_head_without_moves() -> None:
+    program = read("%\n(A HEAD)\n%\nO1\n" + BODY + "%\n", "haas")
+    assert path(program) == ["f 5 0 20"] and program.line.tolist() == [6, 7]
+    assert "not-nc-text" not in [one.code for one in program.findings]
+
+
+@pytest.mark.parametrize("behind", ["", "G1 X99. F100\n", "(A NOTE)\nSEE THE DRAWING\n"])
+def test_a_single_percent_sign_may_be_the_closing_one(behind: str) -> None:
+    program = read(BODY + "%\n" + behind, "haas")
+    assert path(program) == ["f 5 0 20"]
+    assert [one.code for one in program.findings if one.line == 5] == ["text-after-end"] * bool(behind)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "Information listing created by\tme\nDate\t15-Apr-2023 14:45:48\nCurrent work part\tD:\\A\\Part X5.prt\nNode name\tpc\n\n",
+        LISTING.replace("one.prt\n", "a_long_name_\n5.prt\n"), LISTING.replace("one.prt", "one\nX7.prt"),
+        "\ufeff" + LISTING.replace(" :", "\t"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("mark", ["%\n", ""])
+def test_the_head_of_a_listing_has_tabs_or_a_path_of_two_lines(head: str, mark: str) -> None:
+    program = read(head + mark + BODY + mark, "fanuc")
+    assert path(program) == ["f 5 0 20"]
+    assert program.line[0] == head.count("\n") + mark.count("\n") + 2
+    assert [one.severity for one in program.findings if one.code == "not-nc-text"] == [Severity.WARNING]
+
+
+def test_without_a_listing_its_words_are_refused() -> None:
+    with pytest.raises(ProgramError):
+        read("Date\t15-Apr-2023 14:45:48\n" + BODY, "fanuc")
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_a_carriage_return_in_a_comment_ends_no_line(end: str) -> None:
+    lines = [
+        "BEGIN PGM T MM", "; A DRILL\r FLUTES X7", "TOOL CALL 1 Z S1000", "L X+0 Y+0 Z+20 A+0 C+0 R0 FMAX", "L X+5 F100",
+        "END PGM T MM", "",
+    ]  # fmt: skip
+    program = read(end.join(lines), "heidenhain")
+    assert path(program) == ["f 5 0 20"] and program.line.tolist() == [4, 5] and not program.findings
+
+
+def test_a_carriage_return_alone_ends_lines_where_most_end_so() -> None:
+    program = read(BODY.replace("\n", "\r") + "\n", "fanuc")
+    assert path(program) == ["f 5 0 20"] and program.line.tolist() == [2, 3]
+
+
+@pytest.mark.parametrize("controller", ["heidenhain", "fanuc", "siemens840d"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_din_iso_with_a_star_in_its_last_line_alone(controller: str, end: str) -> None:
+    text = "% 12 G70\nN10 ; NOTE\nN20 G90\nN30 G0 X0 Y0 Z1 A0 C0\nN40 G1 X1. F100\nN99 % 12 G70 *\n\n"
+    program = read(text.replace("\n", end), controller)
+    assert path(program) == ["f 25.4 0 25.4"]
+    assert ("other-language" in [one.code for one in program.findings]) == (controller != "heidenhain")
+
+
+def test_a_percent_sign_within_a_line_of_other_controls_is_refused() -> None:
+    with pytest.raises(ProgramError):
+        read(BODY + "N99 % 12 G71\n", "fanuc")
+
+
+def test_a_carriage_return_before_a_block_number_ends_the_line() -> None:
+    program = read(BODY.replace("G1 X5. F100\n", "N1 G1 X5. F100\rN2 X6.\n"), "fanuc")
+    assert path(program) == ["f 5 0 20", "f 6 0 20"] and program.line.tolist() == [2, 3, 4]

@@ -124,13 +124,11 @@ def _are_swept(mesh: Mesh, rows: Ints, there: Ints, radius: float, apart: float)
 def _stands_over(
     place: Floats, tree: scipy.spatial.cKDTree, centre: Floats, radius: float, allowed: float
 ) -> Bools:
-    """Tell which places (m, 3) stand more than ``allowed`` mm over the balls (n, 3) of ``radius`` mm that touch
-    the nearest points of the rim, which the ``tree`` holds. No ball of a point farther off reaches a place, and
-    to compare all those that are would take longest in the middle of a disc."""
-    reach = (2.0 * radius + allowed) * (1.0 + 1e-9)
-    near = tree.query(place, k=min(NEAREST, len(centre)), distance_upper_bound=reach)[1].reshape(
-        len(place), -1
-    )
+    """Tell which places (m, 3) stand more than ``allowed`` mm over the balls of ``radius`` mm with these
+    centres (n, 3) that touch the nearest points of the rim, which the ``tree`` holds. No ball of a point
+    farther off reaches a place, and to compare all of them would take longest in the middle of a disc."""
+    reach, count = (2.0 * radius + allowed) * (1.0 + 1e-9), min(NEAREST, len(centre))
+    near = tree.query(place, k=count, distance_upper_bound=reach)[1].reshape(len(place), -1)
     balls = np.append(centre, [[np.inf] * 3], axis=0)[near]  # what is not found has the number after the last
     return np.asarray(np.linalg.norm(place[:, None] - balls, axis=2).min(axis=1) - radius > allowed)
 

@@ -116,8 +116,8 @@ def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Findin
 
 
 def find_largest_judged(numbers: Mapping[str, Any]) -> tuple[float, float]:
-    """Take from a summary the largest deviation that was judged, mm, and its proven bound, mm: 0 and the bound,
-    at least ROUNDING, where there is none but by rounding."""
+    """Take from a summary the largest deviation that was judged, mm, and its proven bound, mm: 0 and the
+    bound, at least ROUNDING, where there is none but by rounding."""
     names = ("max_segment_deviation", "max_bound")
     if numbers["max_surface_deviation"] is not None:
         names = ("max_surface_deviation", "max_surface_bound")

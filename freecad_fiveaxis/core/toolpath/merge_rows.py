@@ -9,8 +9,8 @@ span      the motion between two neighbouring rows that are kept: its straight p
 miss      how far a row that was left out is from its span, as a share of what is allowed; at most 1.
           It is measured to one place of the span, and the places of consecutive rows need not be told apart
           further: between two rows both motions are straight, so the way given is nowhere farther from the
-          span than at its rows; but for the axis, whose way is a great arc. Where it turns far in one step (TURNS)
-          a hub that stands over the straight point would swing off between them: both rows stay.
+          span than at its rows; but for the axis, whose way is a great arc. Where it turns far in one step
+          (TURNS) a hub that stands over the straight point would swing off between them: both rows stay.
 crowd     rows that are on average nearer to each other than CROWD tolerances. Chords of that length leave an
           arc of a radius of 80 tolerances by a tenth of the tolerance: rows that crowd are more than even a
           path that turns as tightly as that would ask for.
@@ -75,8 +75,8 @@ def rows_crowd(path: OffsetPath, tolerance: float) -> bool:
 def find_kept_rows(path: OffsetPath, axis: Floats, tool: ToolPoints, allowed: Allowance) -> Ints:
     """Find the rows (k,) that are kept, so that every other one is within ``allowed`` of the span over it.
 
-    ``path`` has the cutter's hubs for its centres, ``axis`` (n, 3) is unit. Ends of polylines stay, and the rows
-    of sharp edges (CREASE) and of steps in which the axis turns far (TURNS).
+    ``path`` has the cutter's hubs for its centres, ``axis`` (n, 3) is unit. Ends of polylines stay, and the
+    rows of sharp edges (CREASE) and of steps in which the axis turns far (TURNS).
     """
     line = path.polyline
     fixed = (np.diff(line, prepend=-1) != 0) | (np.diff(line, append=-1) != 0) | _is_sharp(path)

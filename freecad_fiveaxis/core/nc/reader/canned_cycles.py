@@ -20,6 +20,7 @@ rows are written; no manual that says so was found. What differs between them is
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 
 import numpy as np
 
@@ -27,7 +28,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Length, say
+from freecad_fiveaxis.core.base.sentences import Length, plural, say
 
 from . import codes
 from .arcs import AXES
@@ -326,20 +327,26 @@ def _new_words(
     )
 
 
-def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding]:
-    found = [
-        report_finding(
-            codes.CYCLE_KIND[0],
-            say(
-                "The cycle G{code} is not written out, and its moves are missing: {reason}. Correct it, or "
-                "post straight moves.",
-                code=f"{code / 10:g}",
-                reason=reason,
-            ),
-            line=row,
+def _refused(cycles: CycleMoves) -> list[Finding]:
+    """Return one finding for each run of holes of one cycle that are refused for one reason."""
+    found = list[Finding]()
+    for (code, reason), holes in groupby(cycles.refused.items(), lambda one: one[1]):
+        rows = [row for row, _ in holes]
+        text = plural(
+            len(rows),
+            "The cycle G{code} is not written out, and its moves are missing: {reason}. Correct it, or post "
+            "straight moves.",
+            "The cycle G{code} is not written out, and the moves of its {count} holes are missing: {reason}. "
+            "Correct it, or post straight moves.",
+            code=f"{code / 10:g}",
+            reason=reason,
         )
-        for row, (code, reason) in list(cycles.refused.items())[:MOST_NAMED]
-    ]
+        found.append(report_finding(codes.CYCLE_KIND[0], text, float(len(rows)), line=rows[0]))
+    return found[:MOST_NAMED]
+
+
+def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding]:
+    found = _refused(cycles)
     pecks = np.flatnonzero(lines.any_of(PECKING))
     if controller in WAYS and len(pecks) and cycles.moves:
         text = say(

@@ -63,9 +63,9 @@ HARMLESS = {
 SIDES = (410, 411, 412, 414, 415, 416, 420, 421, 422, 424, 425, 426)
 """Cutter compensation; with D0 in the same line it moves nothing."""
 WORDS_IGNORED = "NOSMTHDPQLFG"
-WORDS_OF = {51: "R", 53: "R", 1870: "E", 250: "R", 260: "R"}
+WORDS_OF = {51: "R", 53: "R", 1870: "E", 250: "R", 260: "R", **dict.fromkeys(CYCLES, "R")}
 """Words that belong to a code in their line and are no places: the level of G5.1 Q1 R1 (Fanuc), the tolerance
-of G187 P3 E0.01 (Haas)."""
+of G187 P3 E0.01 (Haas), the height R of a cycle, of which is said that it is not written out."""
 AXES = "XYZABCUVW"
 INCREMENTED = AXES + "IJKR"
 """Words that count the least increment where they have no decimal point, on the controllers that are set

@@ -29,6 +29,7 @@ from dataclasses import dataclass, field
 from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import NUMBER, Unread
+from .preface import with_line_feeds
 
 NEEDED = {
     "200": ("200", "201", "202", "203", "206"), "203": ("200", "201", "202", "203", "206"),
@@ -232,7 +233,7 @@ def diameters(text: bytes) -> dict[int, float]:
     found, commented = dict[int, float](), None
     if b"DM" not in text:
         return found
-    for at, line in enumerate(text.upper().replace(b"\r\n", b"\n").replace(b"\r", b"\n").split(b"\n")):
+    for at, line in enumerate(with_line_feeds(text.upper()).split(b"\n")):
         if TOOL_CALL.match(line):
             if commented is not None:
                 found[at] = commented

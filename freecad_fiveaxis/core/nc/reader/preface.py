@@ -2,7 +2,8 @@
 """What stands around a program and is none of it: tape marks, names where a number belongs, listings, signs
 of an end.
 
-%                      the first ends the leader of the tape, the next one ends the program (ISO 6983-1).
+%                      the first ends the leader of the tape, the next one ends the program (ISO 6983-1). A
+                       stretch that moves nothing is none; before a single one the longer stretch is taken.
 O NONAME, OFinal Path  a name after O, which takes a number on Fanuc's and Haas' controls: passed over, with a
                        warning.
 Information listing    what NX writes at the head of its listing window, up to a line of equals signs: the
@@ -19,21 +20,43 @@ import re
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Template, say
 
 SOLID = re.compile(rb"[^ \n]")
 END_SIGN = re.compile(rb"[\x03\x04][\x03\x04\x1a\s]*\Z")
+LONE_CR = re.compile(rb"\r(?! *N *[0-9])", re.IGNORECASE)
 HEAD = 30
 """Lines at the start of a file in which a preface is looked for."""
 LISTING = re.compile(
-    rb"^(?: *=+ *| *(?:INFORMATION LISTING CREATED BY|DATE|CURRENT WORK PART|NODE NAME) *:[^\n]*)$",
+    rb"^(?: *=+ *| *(?:INFORMATION LISTING CREATED BY|DATE|NODE NAME)[ :][^\n]*"
+    rb"| *CURRENT WORK PART[ :][^\n]*(?:(?:\n[^\n]*){1,3}(?=\n *NODE NAME[ :]))?)$",
     re.MULTILINE,
 )
+"""A colon or a tab, by now a blank, stands behind each name; the part's path may go on in the next line."""
 LISTING_SIGN = b"INFORMATION LISTING CREATED BY"
 WORD = rb"(?<![A-Z])[A-Z] *[-+]?[0-9.]"
 NAME = re.compile(rb"^ *O(?! *[0-9<#\[])(?![^\n]*" + WORD + rb") *[A-Z][A-Z0-9 _.-]*$", re.MULTILINE)
 SIEMENS_NAME = re.compile(rb"^ *O +(?![^\n]*" + WORD + rb")[A-Z][A-Z0-9 _.-]*$", re.MULTILINE)
 COLON = re.compile(rb"^ *(:)(?= *[A-Z] *[-+.0-9])", re.MULTILINE)
+MOVE = re.compile(rb"(?<![A-Z])I?[XYZABCUVW] *(?:[-+.0-9#\[(]|= *[^ \n])[^\n]*")
+"""From the first word of an axis to the end of its line."""
+LEADER = Template(
+    "Lines {first} to {last} stand before the % that begins the program; they are not read, as controls do "
+    "not read them."
+)
+LEADER_MOVES = Template(
+    "Lines {first} to {last} stand before the % that begins the program, and hold moves; they are not read, "
+    "as controls do not read them. If they belong to the program, put them behind the %."
+)
+
+
+def with_line_feeds(text: bytes) -> bytes:
+    """Return the text with LF alone at the end of each line. A CR alone ends one where lines end so; among
+    lines of LF or CRLF it is a blank, but before a block number, where the LF was lost."""
+    text = text.replace(b"\r\n", b"\n")
+    if 0 < text.count(b"\r") < text.count(b"\n"):
+        text = LONE_CR.sub(b" ", text)
+    return text.replace(b"\r", b"\n")
 
 
 def without_end_sign(text: bytes, findings: list[Finding]) -> bytes:
@@ -95,19 +118,47 @@ def _without_colons(text: bytes, findings: list[Finding]) -> bytes:
 
 
 def between_marks(text: bytes, findings: list[Finding]) -> bytes:
-    """Cut the text at the closing ``%`` line, and blank the opening one and the leader before it."""
-    mark = _mark(text, 0)
-    if mark >= 0 and not SOLID.search(text, 0, mark):
-        end = line_end(text, mark)
-        text = re.sub(rb"[^\n]", b" ", text[:end]) + text[end:]
-        mark = _mark(text, end)
-    if mark < 0:
+    """Cut the text at the ``%`` line that ends the program, and blank what stands before it: the opening one
+    with the leader."""
+    marks = _marks(text)
+    if not marks:
         return text
-    if SOLID.search(text, line_end(text, mark)):
+    begins = [0, *(line_end(text, mark) for mark in marks)]
+    spans = list(zip(begins, [*marks, len(text)], strict=True))
+    which = _program(text, spans)
+    begin, end = spans[which]
+    findings += _leader_findings(text, spans[:which])
+    if SOLID.search(text, line_end(text, end)):
         findings.append(
-            finding_at(Code.TEXT_AFTER_END, say("The text after the closing % is not read."), text, mark)
+            finding_at(Code.TEXT_AFTER_END, say("The text after the closing % is not read."), text, end)
         )
-    return text[:mark]
+    return re.sub(rb"[^\n]", b" ", text[:begin]) + text[begin:end]
+
+
+def _program(text: bytes, spans: list[tuple[int, int]]) -> int:
+    """Return which of the stretches between marks is the program: the first behind a mark that moves
+    something. A single mark may as well be the closing one: there the longer of both."""
+    first = next((k for k, span in enumerate(spans) if k and MOVE.search(text, *span)), 0)
+    if not first:
+        return 0 if SOLID.search(text, *spans[0]) else 1
+    if len(spans) > 2:
+        return first
+    before, behind = (sum(1 for _ in MOVE.finditer(text, *span)) for span in spans)
+    return int(behind >= before)
+
+
+def _leader_findings(text: bytes, spans: list[tuple[int, int]]) -> list[Finding]:
+    """Return what is to be said of the stretches before the program's: that they are not read."""
+    solid = [(begin, end) for begin, end in spans if SOLID.search(text, begin, end)]
+    if not solid:
+        return []
+    first = solid[0][1] - len(text[slice(*solid[0])].lstrip())
+    last = solid[-1][0] + len(text[slice(*solid[-1])].rstrip()) - 1
+    moves = any(MOVE.search(text, *span) for span in spans)
+    template = LEADER_MOVES if moves else LEADER
+    sentence = template.say(first=text.count(b"\n", 0, first) + 1, last=text.count(b"\n", 0, last) + 1)
+    severity = Severity.WARNING if moves else None
+    return [finding_at(Code.NOT_NC_TEXT, sentence, text, first, severity)]
 
 
 def line_end(text: bytes, at: int) -> int:
@@ -121,13 +172,15 @@ def finding_at(code: Code, sentence: str, text: bytes, at: int, severity: Severi
     return report_finding(code, sentence, line=text.count(b"\n", 0, at) + 1, severity=severity)
 
 
-def _mark(text: bytes, start: int) -> int:
-    """Return the next ``%`` that begins a line, -1 if there is none."""
-    at = text.find(b"%", start)
-    while at >= 0 and text[text.rfind(b"\n", 0, at) + 1 : at].strip():
+def _marks(text: bytes) -> list[int]:
+    """Return the ``%`` that begin a line."""
+    marks, at = list[int](), text.find(b"%")
+    while at >= 0:
+        if not text[text.rfind(b"\n", 0, at) + 1 : at].strip():
+            marks.append(at)
         at = text.find(b"%", at + 1)
-    return at
+    return marks
 
 
 def _blank(found: re.Match[bytes]) -> bytes:
-    return b" " * len(found[0])
+    return re.sub(rb"[^\n]", b" ", found[0])

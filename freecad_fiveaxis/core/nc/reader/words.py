@@ -41,7 +41,15 @@ from .no_motion import pass_over
 from .of_machine import NO_MACHINE, OfMachine
 from .plain_words import Plain, not_run, plain_words, relocate_finding
 from .plane_calls import Tilt
-from .preface import SOLID, between_marks, finding_at, line_end, without_end_sign, without_preface
+from .preface import (
+    SOLID,
+    between_marks,
+    finding_at,
+    line_end,
+    with_line_feeds,
+    without_end_sign,
+    without_preface,
+)
 from .siemens_cycles import Drill
 
 BRACKETS, SEMICOLON, STAR = (
@@ -86,13 +94,15 @@ NOT_CALLED = Template(
 HEIDENHAIN_SIGN = re.compile(
     rb"^ *(?:(?:[0-9]+ +)?BEGIN +PGM\b|%[^\n%]*? +G7[01] *\* *$)", re.MULTILINE | re.IGNORECASE
 )
+DIN_END = re.compile(rb"^ *N[0-9]+ *%[^\n%]*? +G7[01] *\*[\s]*\Z", re.MULTILINE | re.IGNORECASE)
+"""The last line of Heidenhain's DIN/ISO; posts leave out the star of the lines before."""
 SIEMENS_SIGN = re.compile(
     rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE
 )
 PREFACE = 3
 """Lines at the start of a file in which somebody may have written what the program is."""
-LOOKED_AT = 20_000
-"""Bytes at the start of a text that tell whose language it is."""
+LOOKED_AT, LAST = 20_000, 200
+"""Bytes at the start and at the end of a text that tell whose language it is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,9 +154,10 @@ class Words:
 
 
 def language_of(text: bytes, expected: str) -> str:
-    """Whose language a text is in: what its first lines show without doubt, or else ``expected``."""
+    """Whose language a text is in: what its first lines, or its last one, show without doubt, or else
+    ``expected``."""
     start = text[:LOOKED_AT]
-    if HEIDENHAIN_SIGN.search(start):
+    if HEIDENHAIN_SIGN.search(start) or DIN_END.search(text[-LAST:].replace(b"\r", b"\n")):
         return "heidenhain"
     return "siemens" if expected == "iso" and SIEMENS_SIGN.search(start) else expected
 
@@ -200,7 +211,7 @@ def _blank_non_words(
     """Return the text in capitals, lines ending in LF, with blanks for all that is no word; what was passed
     over; what the text's own language brought."""
     findings: list[Finding] = []
-    text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    text = with_line_feeds(text.removeprefix(b"\xef\xbb\xbf"))
     text = without_end_sign(text, findings)
     if control := text.translate(None, TEXT):
         at = text.index(control[:1])
@@ -299,7 +310,7 @@ def _run_with_files(
 
 def _clean_called(text: bytes) -> bytes:
     """Return the text of a called file in capitals, lines ending in LF, with blanks for its comments."""
-    text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    text = with_line_feeds(text.removeprefix(b"\xef\xbb\xbf"))
     return _blank_comments(text, "iso").translate(CLEAN)
 
 

@@ -93,11 +93,11 @@ def arc_findings(
         text = plural(
             len(lost),
             "An arc lacks its start or its end (line {line}): it stands before the first move, after the "
-            "last one, or before "
-            "another arc, or its direction points to its centre. The path goes straight there.",
+            "last one, before another arc or a hole, or its direction points to its centre. The path goes "
+            "straight there.",
             "{count} arcs lack their start or their end (first line {line}): they stand before the first "
-            "move, after the last one, or before another arc, or their direction points to their centre. "
-            "The path goes straight there.",
+            "move, after the last one, before another arc or a hole, or their direction points to their "
+            "centre. The path goes straight there.",
             line=line,
         )
         yield report_finding(Code.ARC_DOES_NOT_FIT, text, float(len(lost)), line=line, unit="")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Holes of the drilling cycles, written out as moves.
 
+end       CYCLE/OFF, the next CYCLE, tool or operation, or an arc.
 over      Where the axis is that of the row before, the tool first goes along it to the height of the hole's
           ``clear``, or stays at its own where that is higher, then across, then down; as a controller's cycle
           does. To a hole with another axis it goes straight: the CAM system has seen to the way between.
@@ -13,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import plural, say
@@ -23,10 +24,12 @@ from .cycles import Cycle, cycle_of, set_leaving, way
 from .feeds import hold_last, per_minute
 from .rows import Put, Rows
 from .source import Source
-from .statements import Kind, Statements
+from .statements import Kind, Meaning, Statements, meaning_of
 
 SAME_AXIS = 1e-6
 """rad, in sine, between axes that are one."""
+ENDS, OPERATION = ("LOADTL", "LOAD/", "TOOLNO/", "CIRCLE/", "TANGENT/"), "TOOLPATH/"
+"""Statements that end a cycle that no ``CYCLE/OFF`` has ended."""
 SAME_PLACE = 1e-6
 """mm."""
 
@@ -57,9 +60,11 @@ def read_holes(
         ]
         or [False]
     )
-    events = np.flatnonzero(named[statements.which])
-    at = np.append(-1, events)[np.searchsorted(statements.row[events], np.arange(len(rate)), side="right")]
     drills = np.array([one is not None for one in cycle] or [False])
+    ends = np.array([_ends_cycle(text) for text in statements.texts] or [False])
+    events = np.flatnonzero((named | ends)[statements.which])
+    events = events[~_before_first_hole(statements, events, drills, ends)]
+    at = np.append(-1, events)[np.searchsorted(statements.row[events], np.arange(len(rate)), side="right")]
     on = (at >= 0) & drills[statements.which[at]] if len(events) else np.zeros(len(rate), np.bool_)
     plain = source.move_rows(b"GOTO/")
     row = np.flatnonzero(on & plain)
@@ -74,7 +79,57 @@ def read_holes(
     ]
     group = group.reshape(-1)
     holes = Holes(row, group, cycles, _feeds(statements, at, group, cycles, rate[row], scale, source))
-    return holes, tuple(_findings(source, statements, events, cycle, np.flatnonzero(on & ~plain)))
+    found = _findings(source, statements, events, cycle, np.flatnonzero(on & ~plain))
+    return holes, (*found, *_without_end(source, statements, events, drills, ends, len(rate)))
+
+
+def _ends_cycle(text: str) -> bool:
+    """Whether a statement ends a drilling cycle that nothing has ended: no hole is drilled by another tool,
+    in the next operation, or along an arc."""
+    of_tool = text.startswith(ENDS) and meaning_of(text) != Meaning(Kind.NOTHING)
+    return of_tool or text.startswith(OPERATION)
+
+
+def _before_first_hole(statements: Statements, events: Ints, drills: Bools, ends: Bools) -> Bools:
+    """Which events (e,) would end a cycle that has drilled nothing yet: they stand right behind it."""
+    row, which = statements.row[events], statements.which[events]
+    begun = np.concatenate([[-1], row])[
+        np.maximum.accumulate(np.where(~ends[which], np.arange(1, len(row) + 1), 0))
+    ]
+    return np.asarray(ends[which] & (begun == row))
+
+
+def _without_end(
+    source: Source, statements: Statements, events: Ints, drills: Bools, ends: Bools, rows: int
+) -> Iterator[Finding]:
+    """Yield that drilling cycles end without ``CYCLE/OFF``, where moves follow before the next one."""
+    which, row = statements.which[events], statements.row[events]
+    moves = np.append(row[1:], rows) > row
+    open_ = np.flatnonzero(drills[which][:-1] & ends[which][1:])
+    later = np.array(
+        [bool(moves[k + 1 : _next_cycle(ends[which], int(k) + 1)].any()) for k in open_], np.bool_
+    )
+    open_ = open_[later]
+    if not len(open_):
+        return
+    line, end = (int(source.line[statements.statement[events[open_[0] + k]]]) for k in (0, 1))
+    text = plural(
+        len(open_),
+        "A drilling cycle (line {line}) is not ended by CYCLE/OFF: it is taken to end at the next tool, "
+        "operation or arc (line {end}), and the moves behind that drill no holes. Say CYCLE/OFF.",
+        "{count} drilling cycles (first line {line}) are not ended by CYCLE/OFF: they are taken to end at "
+        "the next tool, operation or arc (first line {end}), and the moves behind that drill no holes. Say "
+        "CYCLE/OFF.",
+        line=line,
+        end=end,
+    )
+    yield report_finding(Code.NO_HOLE_IN_CYCLE, text, float(len(open_)), line=line, severity=Severity.WARNING)
+
+
+def _next_cycle(ends: Bools, start: int) -> int:
+    """Return the first event from ``start`` on that is a CYCLE statement, or the number of all."""
+    cycles = np.flatnonzero(~ends[start:])
+    return start + int(cycles[0]) if len(cycles) else len(ends)
 
 
 def _feeds(
