@@ -122,8 +122,8 @@ def test_places_far_from_the_rim_are_left_whether_or_not_they_are_compared_with_
 
 
 def test_in_a_hollow_a_ball_sweeps_more_between_passes():
-    """A trough hardly wider than the ball: passes three intervals apart leave little."""
-    trough = sheet(lambda x: 6.0 - np.sqrt(12.0**2 - (x - 10.0) ** 2))
+    """A groove hardly wider than the ball: passes three intervals apart leave little."""
+    groove = sheet(lambda x: 6.0 - np.sqrt(12.0**2 - (x - 10.0) ** 2))
     apart = [1.0, 4.0, 7.0, 10.0, 13.0, 16.0, 19.0]
-    assert left_of(trough, apart, radius=11.5) == 0.0
-    assert left_of(trough, apart, radius=3.0) > 0.0
+    assert left_of(groove, apart, radius=11.5) == 0.0
+    assert left_of(groove, apart, radius=3.0) > 0.0

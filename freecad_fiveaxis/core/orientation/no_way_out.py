@@ -24,8 +24,8 @@ _TURN = Template(
 )
 _HOLDER = Template(
     "On {length} of the passes, the first at {place}, the tool is free, but the part is over it, and it "
-    "cannot get out along its axis; they are left out. Turn the part or, where it is the holder that is held, "
-    "use a smaller holder."
+    "cannot get out along its axis; they are left out. Turn the part or, where it is the holder that is "
+    "held, use a smaller holder."
 )
 
 

@@ -327,7 +327,7 @@ def _new_words(
     )
 
 
-def _refused(cycles: CycleMoves) -> list[Finding]:
+def _report_refused(cycles: CycleMoves) -> list[Finding]:
     """Return one finding for each run of holes of one cycle that are refused for one reason."""
     found = list[Finding]()
     for (code, reason), holes in groupby(cycles.refused.items(), lambda one: one[1]):
@@ -346,7 +346,7 @@ def _refused(cycles: CycleMoves) -> list[Finding]:
 
 
 def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding]:
-    found = _refused(cycles)
+    found = _report_refused(cycles)
     pecks = np.flatnonzero(lines.any_of(PECKING))
     if controller in WAYS and len(pecks) and cycles.moves:
         text = say(
