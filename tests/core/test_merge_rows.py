@@ -155,6 +155,7 @@ def test_rows_crowd_where_they_are_on_average_nearer_than_some_tolerances():
         far = np.concatenate([path.centre, path.centre + 1000.0])
         assert rows_crowd(path_of(far, line=line), 0.01) == crowd
     assert not rows_crowd(path_of(straight(2, 0.0)[:1]), 0.01)
+    assert rows_crowd(path_of(straight(50, 0.07)), 0.5) and not rows_crowd(path_of(straight(50, 0.09)), 0.5)
 
 
 def test_polylines_and_sharp_edges_stay():

@@ -34,6 +34,9 @@ from .coedge import OffsetPath
 CROWD = 8.0
 """Of the tolerance. At the usual tolerance and feed a controller has to read 200 such blocks a second."""
 
+FINE = 0.01
+"""mm; a tolerance that is wider does not make rows crowd that every controller can read."""
+
 TURNS = math.radians(5.0)
 """In one step. A chord of an arc of that angle is off it by a thousandth of the radius."""
 
@@ -66,10 +69,10 @@ class ToolPoints:
 
 def rows_crowd(path: OffsetPath, tolerance: float) -> bool:
     """Tell whether the rows of the path, whose centres are the cutter's hubs, are on average nearer to each
-    other than CROWD times the ``tolerance``, mm."""
+    other than CROWD times the ``tolerance``, mm, or FINE where that is less."""
     joined = np.diff(path.polyline) == 0
     steps = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)[joined]
-    return bool(len(steps) and steps.mean() < CROWD * tolerance)
+    return bool(len(steps) and steps.mean() < CROWD * min(tolerance, FINE))
 
 
 def find_kept_rows(path: OffsetPath, axis: Floats, tool: ToolPoints, allowed: Allowance) -> Ints:
