@@ -100,7 +100,8 @@ class PassSettings:
     scallop: float | None = option(
         None,
         "length",
-        "largest scallop left between passes [0.01 where no stepover is given]",
+        "largest scallop left between passes; where these turn in corners or end at edges up to 3.5 "
+        "times as much may stay [0.01 where no stepover is given]",
         least=SMALLEST,
         most=LONGEST,
     )
