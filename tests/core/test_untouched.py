@@ -9,7 +9,7 @@ from revolved import solid_of_revolution
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import Region, untouched
-from freecad_fiveaxis.core.passes.untouched import find_left
+from freecad_fiveaxis.core.passes.untouched import find_untouched
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import summary, verdict
@@ -94,7 +94,7 @@ def left_of(mesh, at, radius=3.0, interval=1.0):
     touched = np.zeros(len(x), bool)
     for one in at:
         touched |= (x.min(axis=1) <= one) & (one <= x.max(axis=1))
-    rows = find_left(Region(mesh, np.ones(len(x), bool), radius, interval), np.flatnonzero(touched))
+    rows = find_untouched(Region(mesh, np.ones(len(x), bool), radius, interval), np.flatnonzero(touched))
     return float(mesh.area[rows].sum())
 
 
@@ -110,7 +110,7 @@ def test_places_far_from_the_rim_are_left_whether_or_not_they_are_compared_with_
     mesh = frustum()
     touched = np.flatnonzero(np.abs(mesh.normal[:, 2]) < 0.9)
     region = Region(mesh, np.ones(len(mesh.face), bool), 3.0, 0.4)
-    bounded = find_left(region, touched)
+    bounded = find_untouched(region, touched)
     query = untouched.scipy.spatial.cKDTree
 
     class Unbounded(query):
@@ -118,7 +118,7 @@ def test_places_far_from_the_rim_are_left_whether_or_not_they_are_compared_with_
             return super().query(place, k=k)
 
     monkeypatch.setattr(untouched.scipy.spatial, "cKDTree", Unbounded)
-    assert len(bounded) and np.array_equal(bounded, find_left(region, touched))
+    assert len(bounded) and np.array_equal(bounded, find_untouched(region, touched))
 
 
 def test_in_a_hollow_a_ball_sweeps_more_between_passes():

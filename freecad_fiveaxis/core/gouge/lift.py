@@ -112,7 +112,9 @@ def lift_path(
         _Lifter(swept, cutter, tree, aim, tolerance, going, above, aside),
         np.zeros(len(tips), np.bool_),
     )
-    way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none[1:], none)
+    way = _LiftedPath(
+        tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none[1:], none
+    )
     trapped = len(lifter.find_trapped(way)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
     if rocks and not trapped and not which_enter(cutter, tree, swept, tolerance, blocks, going).any():
@@ -162,7 +164,7 @@ class _Going:
 
 
 @dataclass(frozen=True, eq=False)
-class _Way:
+class _LiftedPath:
     """Tips, axes (n, 3); ``key`` (n,) where each stands on the way given, block + u; its lift off that way;
     ``cuts`` (n - 1,): which blocks cut, ``clear`` (n - 1,): which are known to enter by no more than the aim,
     but for GRAZE; ``over`` (n,) rows that were lifted above an overhang."""
@@ -177,7 +179,7 @@ class _Way:
 
 
 class _Rows(NamedTuple):
-    """Rows (k,) of a way, columns as in :class:`_Way`."""
+    """Rows (k,) of a way, columns as in :class:`_LiftedPath`."""
 
     tip: Floats
     axis: Floats
@@ -204,7 +206,7 @@ class _Lifter:
     above: float
     aside: Ints
 
-    def find_trapped(self, way: _Way) -> Ints:
+    def find_trapped(self, way: _LiftedPath) -> Ints:
         """Return the rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves,
         meets the part. Where the next cut goes on from the same place nothing comes or leaves."""
         link_moves = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > STILL_MM))
@@ -256,7 +258,7 @@ class _Lifter:
     def _rise(self, tip: Floats, axis: Floats) -> Floats:
         return rise_above(self.cutter, self.tree, tip, axis, ROOM * self.aim, self.going)
 
-    def lower(self, way: _Way, least: float, tolerance: float) -> _Way:
+    def lower(self, way: _LiftedPath, least: float, tolerance: float) -> _LiftedPath:
         """Rows put in where the way between two lifted rows stands more than ``tolerance`` mm higher than it
         must; blocks of up to ``least`` mm stay whole."""
         wait = np.ones(len(way.cuts), np.bool_)
@@ -273,7 +275,7 @@ class _Lifter:
             way, wait = _put_in(way, blocks[high], rows.take(high))
         return way
 
-    def between(self, way: _Way, dirty: Bools) -> _Way:
+    def between(self, way: _LiftedPath, dirty: Bools) -> _LiftedPath:
         """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; not where
         these are too near to each other for that: what enters there goes up through the part, and no row
         between helps."""
@@ -296,7 +298,7 @@ class _Lifter:
             way, dirty = _put_in(way, blocks, self.rows(key, way.over[blocks] | way.over[blocks + 1]))
         return way
 
-    def out_of_overhangs(self, way: _Way) -> _Way:
+    def out_of_overhangs(self, way: _LiftedPath) -> _LiftedPath:
         """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over
         them; so are those about trapped ends."""
         for k in range(OVERHANGS):
@@ -318,7 +320,7 @@ class _Lifter:
             way = self.between(way, way.cuts & moved)
         return way
 
-    def _under(self, way: _Way) -> Bools:
+    def _under(self, way: _LiftedPath) -> Bools:
         """Return the rows (n,) from which the way up meets the part, in unbroken groups beside blocks to
         lifted rows that enter, or up to trapped ends."""
         lifted = np.flatnonzero(way.cuts & ~way.clear & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
@@ -330,7 +332,7 @@ class _Lifter:
         return under_with(self.cutter, self.tree, way.tip, way.axis, way.cuts, rows, self.aim, self.going)
 
 
-def _aside(way: _Way) -> Floats:
+def _aside(way: _LiftedPath) -> Floats:
     """How far (n - 1,) mm the tool goes at most in each block, but for what it is lifted: along the way
     given, and by the turn of its axis at its height above that."""
     given = np.linalg.norm(np.diff(way.tip - way.lift[:, None] * way.axis, axis=0), axis=1)
@@ -338,7 +340,7 @@ def _aside(way: _Way) -> Floats:
     return np.asarray(given + np.maximum(way.lift[1:], way.lift[:-1]) * turn)
 
 
-def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
+def _put_in(way: _LiftedPath, blocks: Ints, rows: _Rows) -> tuple[_LiftedPath, Bools]:
     """Return the way with one of the rows (k,) in each of these blocks (k,), and which blocks are new."""
     cuts = np.insert(way.cuts, blocks, True)
     new, row = np.zeros(len(cuts), np.bool_), np.arange(1, len(blocks) + 1) + blocks
@@ -347,15 +349,15 @@ def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
         name: np.insert(getattr(way, name), blocks + 1, column, axis=0)
         for name, column in rows._asdict().items()
     }
-    return _Way(cuts=cuts, clear=np.insert(way.clear, blocks, False) & ~new, **put), new
+    return _LiftedPath(cuts=cuts, clear=np.insert(way.clear, blocks, False) & ~new, **put), new
 
 
-def _row(way: _Way) -> Ints:
+def _row(way: _LiftedPath) -> Ints:
     """Return the row (n,) of the path given that each row of the way is, or leads to."""
     return np.ceil(way.key).astype(np.int64)
 
 
-def _rows(path: CLPath, way: _Way, back: float) -> CLPath:
+def _rows(path: CLPath, way: _LiftedPath, back: float) -> CLPath:
     """Return the path with the rows of the way: those put in take face, normal and feed from the row that
     they lead to."""
     columns = {
@@ -365,7 +367,7 @@ def _rows(path: CLPath, way: _Way, back: float) -> CLPath:
     return replace(path, tip=way.tip + back * way.axis, axis=way.axis, **columns)
 
 
-def _findings(path: CLPath, way: _Way) -> tuple[Finding, ...]:
+def _findings(path: CLPath, way: _LiftedPath) -> tuple[Finding, ...]:
     """Return what was lifted, over which length, and where most."""
     if not (way.lift > 0.0).any():
         return ()

@@ -22,7 +22,7 @@ from .contact_path import direction
 from .field import ALL_ROUND, PassField, PassOptions, Region, Vector
 from .sides import find_untouched_sides, side_findings
 from .spacing import WIDEST, PlacePlanes, prepare_planes
-from .untouched import area_left
+from .untouched import report_untouched
 
 SHORTEST = 1e-9
 """Length of a normal whose direction is lost in rounding."""
@@ -76,7 +76,7 @@ class Planes:
     ) -> tuple[Finding, ...]:
         """Of upright planes the sides that they leave out, with a remedy; of others the area."""
         if field.upright is None:
-            return field.findings + area_left(region, touched)
+            return field.findings + report_untouched(region, touched)
         mesh, keep = region.mesh, region.keep
         sides = find_untouched_sides(mesh, keep, touched, field.levels, field.upright, region.interval)
         finer = say("a smaller stepover")

@@ -26,7 +26,7 @@ from .field import PassField, PassOptions, Region
 from .radial_passes import angle_about, centre_of, divide_at_seam, seam_normal, unit_axis
 from .scallop_passes import OverSurface, copy_region, lay_passes, make_surface, measure_copy, survey_region
 from .sources import BORDER
-from .untouched import area_left
+from .untouched import report_untouched
 
 ALONG = "along"
 
@@ -62,7 +62,7 @@ class Rotary(OverSurface):
         """Return what lies across the axis, and what no pass touches of the rest."""
         faces = _outward(region, options)
         across = report_across(region.mesh, region.keep & ~faces.keep)
-        return field.findings + (() if across is None else (across,)) + area_left(faces, touched)
+        return field.findings + (() if across is None else (across,)) + report_untouched(faces, touched)
 
 
 def _outward(region: Region, options: PassOptions) -> Region:

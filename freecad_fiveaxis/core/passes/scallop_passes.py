@@ -43,7 +43,7 @@ from .geodesic import (
 from .refine import Copy, drop_short, finer_copy, join_copies, take_facets
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop
 from .sources import find_source, source_values
-from .untouched import area_left
+from .untouched import report_untouched
 
 AIM = 0.92
 """Share of the scallop that the passes are laid for: facets and the field's own error leave as much as the
@@ -134,7 +134,7 @@ class OverSurface:
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
         """Return what no pass touches."""
-        return field.findings + area_left(region, touched)
+        return field.findings + report_untouched(region, touched)
 
 
 class ConstantScallop(OverSurface):

@@ -42,10 +42,10 @@ FINE = 0.5
 """Intervals between the places that are asked."""
 
 
-def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
+def report_untouched(region: Region, touched: Ints) -> tuple[Finding, ...]:
     """Return a warning where facets to be cut that no pass touches or sweeps are more than a little;
     ``touched`` (n,) by one."""
-    rows = find_left(region, touched)
+    rows = find_untouched(region, touched)
     lost, whole = float(region.mesh.area[rows].sum()), float(region.mesh.area[region.keep].sum())
     if lost <= SHARE * whole:
         return ()
@@ -60,7 +60,7 @@ def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
     return (report_finding(Code.SIDE_NOT_MACHINED, text, lost, 0.0, place=(x, y, z)),)
 
 
-def find_left(region: Region, touched: Ints) -> Ints:
+def find_untouched(region: Region, touched: Ints) -> Ints:
     """Find the facets (k,) to be cut that passes touching ``touched`` (n,) leave: large ones, small ones far
     from them, and those of which the cutter sweeps not all."""
     mesh, out = region.mesh, region.keep.copy()

@@ -85,7 +85,7 @@ def find_kept_rows(path: OffsetPath, axis: Floats, tool: ToolPoints, allowed: Al
     fixed = (np.diff(line, prepend=-1) != 0) | (np.diff(line, append=-1) != 0) | _is_sharp(path)
     far = _angle(np.diff(axis, axis=0)) > TURNS
     fixed |= np.append(far, False) | np.append(False, far)
-    return _keep(_Way.of(path, axis, tool), fixed, allowed)
+    return _keep(_PassRows.of(path, axis, tool), fixed, allowed)
 
 
 def merge_rows(path: OffsetPath, axis: Floats, rows: Ints) -> tuple[OffsetPath, Floats]:
@@ -101,7 +101,7 @@ def _is_sharp(path: OffsetPath) -> Bools:
 
 
 @dataclass(frozen=True, eq=False)
-class _Way:
+class _PassRows:
     """The rows: ``straight`` points and ``hub`` (n, 3) mm; ``axis`` (n, 3); the ``normals`` (n, 3) of the
     surface; ``turned`` (n,) rad, the axis up to each row."""
 
@@ -113,7 +113,7 @@ class _Way:
     tool: ToolPoints
 
     @classmethod
-    def of(cls, path: OffsetPath, axis: Floats, tool: ToolPoints) -> _Way:
+    def of(cls, path: OffsetPath, axis: Floats, tool: ToolPoints) -> _PassRows:
         """Return the rows of a path, each array with its rows side by side in memory."""
         hub, axis, *normals = (
             np.ascontiguousarray(rows) for rows in (path.centre, axis, path.normal, path.before, path.after)
@@ -159,7 +159,7 @@ def _angle(chord: Floats) -> Floats:
     return np.asarray(2.0 * np.arcsin(np.clip(0.5 * _length(chord), 0.0, 1.0)))
 
 
-def _keep(way: _Way, fixed: Bools, allowed: Allowance) -> Ints:
+def _keep(way: _PassRows, fixed: Bools, allowed: Allowance) -> Ints:
     """Return the rows (k,) that are kept: ``fixed`` (n,) ones, and others between which no further one can be
     left out.
 
@@ -188,7 +188,7 @@ def _every_other(free: Bools) -> Ints:
     return np.flatnonzero(free & ((place - last) % 2 == 1))
 
 
-def _lay_two_for_three(way: _Way, kept: Ints, fixed: Bools, phase: int, allowed: Allowance) -> Ints:
+def _lay_two_for_three(way: _PassRows, kept: Ints, fixed: Bools, phase: int, allowed: Allowance) -> Ints:
     """Return the rows (k,) with every three spans, from the one at ``phase`` on, made two where these are
     within the allowance: one row half-way instead of two."""
     first = np.arange(phase, len(kept) - 3, 3)
@@ -201,7 +201,7 @@ def _lay_two_for_three(way: _Way, kept: Ints, fixed: Bools, phase: int, allowed:
     return np.delete(kept, first[fits] + 2)
 
 
-def _may_go(way: _Way, begin: Ints, end: Ints, allowed: Allowance) -> Bools:
+def _may_go(way: _PassRows, begin: Ints, end: Ints, allowed: Allowance) -> Bools:
     """Find the spans (p,), from rows ``begin`` to rows ``end``, that no row between them misses by more than
     is allowed."""
 

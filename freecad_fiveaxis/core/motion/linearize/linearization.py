@@ -112,7 +112,7 @@ def _divide_above(
     tolerance: float,
     steps: Steps,
     progress: Progress,
-) -> _Way:
+) -> _DividedPath:
     """Divide the blocks that end in ``rows`` by the point ``above`` mm over the driven one; the words are
     those of the driven point. Its lift is rounded as the words are, so that none of them is rounded twice."""
     if above == 0.0:
@@ -180,7 +180,7 @@ def _check(tolerance: float) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class _Way:
+class _DividedPath:
     """Rows (k,) of the divided path: ``row`` of the given path that each leads to, ``share`` of that row's
     block (1 for the row itself), ``words`` (k, 5) mm and degrees, ``axis`` (k, 3) of inserted rows, which are
     ``new`` (i,), as on their moves."""
@@ -202,7 +202,7 @@ def _divide_blocks(
     tolerance: float,
     steps: Steps,
     progress: Progress,
-) -> _Way:
+) -> _DividedPath:
     """Divide the blocks that end in ``rows`` where they are over tolerance, but for those that rounding alone
     keeps over it."""
     over, deviation, held = _over(kinematics, tip, words, rows, tolerance)
@@ -274,7 +274,7 @@ def _of_portion(
     return _Part(pieces, tool_axis(kinematics, way, block, pieces.share)), way.even
 
 
-def _weave_rows(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:
+def _weave_rows(words: Floats, outcome: Outcome, parts: list[_Part]) -> _DividedPath:
     """Return the given rows and the inserted ones, each before the row that its block ends in."""
     pieces = np.ones(len(words), np.int64)
     pieces[outcome.row] = outcome.count
@@ -286,17 +286,17 @@ def _weave_rows(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:
     for target, name in ((share, "share"), (all_words, "words")):
         target[new] = np.concatenate([getattr(part.pieces, name) for part in parts]) if parts else target[new]
     axis[new] = np.concatenate([part.axis for part in parts]) if parts else axis[new]
-    return _Way(row, share, all_words, axis, new, outcome)
+    return _DividedPath(row, share, all_words, axis, new, outcome)
 
 
-def _move_findings(findings: tuple[Finding, ...], way: _Way) -> Iterator[Finding]:
+def _move_findings(findings: tuple[Finding, ...], way: _DividedPath) -> Iterator[Finding]:
     """Yield the findings of the given path, each at the row that its own has become."""
     own = np.flatnonzero(way.share == 1.0)
     for finding in findings:
         yield finding if finding.block is None else replace(finding, block=int(own[finding.block]))
 
 
-def _longer(path: CLPath, way: _Way, above: float) -> CLPath:
+def _longer(path: CLPath, way: _DividedPath, above: float) -> CLPath:
     """Return the CL path with the inserted rows. Those that cut touch the part between their neighbours, the
     others nothing. The point ``above`` mm over the tip goes straight."""
     columns: dict[str, Any] = {name: getattr(path, name)[way.row] for name in _CL_COLUMNS}
