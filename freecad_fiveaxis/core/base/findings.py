@@ -30,8 +30,8 @@ class Finding:
     ``value`` and ``limit`` are in ``unit`` (``mm``, ``deg``, ``mm2``, ``1`` ...); ``block`` is a row of the
     Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm.
     ``hit``: of a collision with a fixture or the machine; ``near``: of what comes nearer to one than is asked
-    for. ``within`` mm2: so much of the surface that is to be cut stays because of it; of an area that is left
-    out so much of it lies on facets that are cut elsewhere.
+    for. ``within`` mm2: of the facets that are cut so much stays because of it; where the value is an area,
+    this is part of it.
     """
 
     severity: Severity

@@ -184,7 +184,7 @@ def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> 
 
 
 @dataclass(frozen=True, eq=False)
-class _SampledMotion:
+class _Samples:
     """The blocks (b,) that cut; ``length`` (b + 1,) mm of the way at their ends, ``low`` and ``high`` (b,) at
     the ends of the run of blocks that each is in. ``at`` (s,) mm: where the samples are, ``pose`` theirs,
     ``tree`` over their middles; ``spacing`` mm."""
@@ -210,7 +210,7 @@ def _place(length: Floats, at: Floats) -> tuple[Ints, Floats]:
     return row, np.clip((at - length[row]) / whole, 0.0, 1.0)
 
 
-def _sample_way(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) -> _SampledMotion:
+def _sample_way(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) -> _Samples:
     poses = [swept.pose(blocks, np.full(len(blocks), u)) for u in (0.0, 0.5, 1.0)]
     steps = [
         np.linalg.norm(_middle(lowest, q) - _middle(lowest, p), axis=0)
@@ -230,9 +230,7 @@ def _sample_way(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float)
     row, u = _place(length, at)
     pose = swept.pose(blocks[row], u)
     tree = scipy.spatial.cKDTree(_middle(lowest, pose).T)
-    return _SampledMotion(
-        swept, blocks, length, length[first][run], length[ends][run], at, pose, tree, spacing
-    )
+    return _Samples(swept, blocks, length, length[first][run], length[ends][run], at, pose, tree, spacing)
 
 
 def _middle(piece: Piece, pose: Poses) -> Floats:
@@ -252,7 +250,7 @@ def _wide(piece: Piece) -> tuple[float, float]:
     return flat, flat + piece.round
 
 
-def _sample_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_SampledMotion, int]:
+def _sample_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_Samples, int]:
     """Return the sampled way, and how many samples must be looked at for all that could touch one of some
     points (n,
     3) to be among them; where that is too many, the samples lie farther apart."""
@@ -272,7 +270,7 @@ def _lowest_piece(body: Body) -> Piece:
     return min(body.pieces, key=lambda piece: piece.low - piece.round)
 
 
-def _starts(body: Body, way: _SampledMotion, point: Floats, count: int) -> tuple[Ints, Floats]:
+def _starts(body: Body, way: _Samples, point: Floats, count: int) -> tuple[Ints, Floats]:
     """Return the samples (n, k) from which to follow: of so many the lowest, then the lowest away from that,
     and so on; and the height (n,) mm at the lowest."""
     near = np.asarray(way.tree.query(point, k=count)[1]).reshape(len(point), count)
@@ -289,7 +287,7 @@ def _starts(body: Body, way: _SampledMotion, point: Floats, count: int) -> tuple
 
 
 def _screen_points(
-    body: Body, way: _SampledMotion, point: Floats, count: int, enough: float
+    body: Body, way: _Samples, point: Floats, count: int, enough: float
 ) -> tuple[Floats, Ints]:
     """Return the least height (n,) of points and the block where it is; where a sample near it leaves no more
     than ``enough`` mm, the height there."""
@@ -309,7 +307,7 @@ def _screen_points(
     return height, block
 
 
-def _lowest(body: Body, way: _SampledMotion, point: Floats, starts: Ints) -> tuple[Floats, Ints]:
+def _lowest(body: Body, way: _Samples, point: Floats, starts: Ints) -> tuple[Floats, Ints]:
     """Return the least height (n,) of points on the way about some samples (n, k) each, and the block where
     it is."""
     place, middle = np.repeat(point.T, starts.shape[1], axis=1), way.at[starts.ravel()]

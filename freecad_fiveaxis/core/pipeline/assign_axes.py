@@ -63,12 +63,12 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
     offset, axis = feasible_rows(
         offset, axis, context.kinematics, cutter.taper, cutter.undercut if wanted else 0.0
     )
-    offset = replace(offset, findings=measure_stretches(context, offset.findings))
+    offset = replace(offset, findings=measure_area_beyond_limits(context, offset.findings))
     whole = vars(passes) | {"offset": offset}
     return AssignedAxes(**whole, axis=axis, cut=offset, corrected=axis, axis_findings=found)
 
 
-def measure_stretches(context: MillContext, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+def measure_area_beyond_limits(context: MillContext, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """Add to findings on stretches beyond the machine's limits the area beside them: their length times the
     passes' distance on a flat."""
     if not any(one.code == Code.AXIS_BEYOND_LIMITS for one in findings):
