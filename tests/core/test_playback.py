@@ -318,5 +318,9 @@ def test_lines_are_counted_as_the_reader_counts_them():
     for newline in (b"\n", b"\r\n", b"\r"):
         lines = NCLines(newline.join([b"%", b"", b"N10 G1 X1 ", b"M2"]))
         assert [lines[i] for i in range(6)] == ["", "%", "", "N10 G1 X1", "M2", ""]
+    lines = NCLines(
+        b"N10 G1 X1 (A\rB)\nN20 X2\nM2\n"
+    )  # among lines of LF a CR alone is a blank, as to the reader
+    assert (lines[2], lines[3]) == ("N20 X2", "M2")
     assert NCLines(b"")[1] == ""
     assert NCLines(b"(\xfc)")[1] == "(\ufffd)"

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.motion.program import feed_blocks
 from freecad_fiveaxis.core.nc.reader import Reading
+from freecad_fiveaxis.core.nc.reader.preface import with_line_feeds
 
 NOTHING = -1
 """No event in a row; and the state before the first."""
@@ -74,7 +75,7 @@ def mark_file_lines(reading: Reading, event: Floats, text: bytes, at: Iterable[t
 def clean_text(text: bytes, language: str) -> bytes:
     """Return the text in capitals with lines ending in LF; of Siemens and Heidenhain, whose words are looked
     for in it, blanks for remarks and strings."""
-    text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n").upper()
+    text = with_line_feeds(text).upper()
     return text if language == "iso" else REMARK.sub(lambda found: b" " * len(found[0]), text)
 
 

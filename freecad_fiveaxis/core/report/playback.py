@@ -40,6 +40,7 @@ from freecad_fiveaxis.core.motion.program import (
     standing,
 )
 from freecad_fiveaxis.core.motion.trajectory import axis_at, tip_at
+from freecad_fiveaxis.core.nc.reader.preface import with_line_feeds
 
 from .figures import worst_first
 
@@ -224,7 +225,7 @@ class NCLines:
     kept."""
 
     def __init__(self, nc: bytes) -> None:
-        self._text = nc.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        self._text = with_line_feeds(nc)
         ends = np.flatnonzero(np.frombuffer(self._text, np.uint8) == ord("\n"))
         self._edges = np.concatenate([[-1], ends, [len(self._text)]])
 
