@@ -70,14 +70,15 @@ UNWATCHED = {
 
 
 @contextmanager
-def dask_client():
-    """A client of a scheduler in this process with two workers; where one is killed, dask begins another."""
+def dask_client(workers=2):
+    """A client of a scheduler in this process with so many workers; where one is killed, dask begins
+    another."""
     distributed = pytest.importorskip("distributed")
     import dask
 
     with (
         dask.config.set(UNWATCHED),
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster,
+        distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):
         yield client

@@ -33,7 +33,7 @@ from small_studies import STUDIES, texts_of, try_study
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.base.crew import Crew
+from freecad_fiveaxis.core.base.crew import Crew, end_pool
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.batch import crews
 from freecad_fiveaxis.core.batch.run import run_batch
@@ -261,7 +261,25 @@ def test_the_command_on_mpi_makes_the_same_files(parts, by_command, tmp_path, mo
 
 
 @pytest.mark.slow
-def test_the_command_on_a_scheduler_of_dask_makes_the_same_files(dask, parts, by_command, tmp_path):
-    address = dask.cluster.scheduler_address.replace("tcp://", "dask://")
-    result = run_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable])
+def test_the_command_on_a_scheduler_of_dask_makes_the_same_files(parts, by_command, tmp_path):
+    with engines.dask_client() as client:  # of its own: none of its workers was killed before
+        words = ("--executor", address_of(client))
+        result = run_by_command(parts, tmp_path / "out", *words, before=[sys.executable])
     assert result == by_command
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("workers", [0, 1])
+def test_jobs_that_wait_for_a_worker_of_dask_are_reported(workers, capsys):
+    with engines.dask_client(workers) as client:
+        address = address_of(client)
+        pool = crews.find_crew(address, 2).open()
+        reported = capsys.readouterr().err
+        end_pool(pool, wait=True)
+        assert pool.client.status == "closed"
+    address = address.removeprefix("dask://")
+    assert ("has no worker yet" in reported, f"`dask worker {address}`" in reported) == 2 * (not workers,)
+
+
+def address_of(client):
+    return client.scheduler.address.replace("tcp://", "dask://")

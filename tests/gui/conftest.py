@@ -416,6 +416,12 @@ def until():
 
 
 @pytest.fixture
+def within():
+    """within(ms, condition): whether the condition holds within so many ms, while the window works."""
+    return _within
+
+
+@pytest.fixture
 def screenshot():
     """screenshot(name): picture of the screen with all windows, kept; its path."""
     return _shoot

@@ -4,15 +4,18 @@
 from __future__ import annotations
 
 import threading
-from concurrent.futures import Executor
-from typing import Any
+from collections.abc import Callable
+from concurrent.futures import Executor, Future
+from typing import Any, TypeVar
 
 from freecad_fiveaxis.core.base.crew import Crew, look_for_stop, process_crew, thread_crew
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.terminal import complain
 
 from .task import BatchJob, JobOutcome
 
+T = TypeVar("T")
 SERIAL, THREADS, PROCESSES, MPI, DASK = "serial", "threads", "processes", "mpi", "dask://"
 
 
@@ -62,7 +65,7 @@ def _executor(executor: Any) -> Executor:
 
 def _dask(distributed: Any, address: str) -> Executor:
     try:
-        return _executor(distributed.Client(f"tcp://{address}").get_executor())
+        client = distributed.Client(f"tcp://{address}")
     except (OSError, ValueError) as error:
         raise SettingsError(
             say(
@@ -72,3 +75,26 @@ def _dask(distributed: Any, address: str) -> Executor:
             ),
             address,
         ) from error
+    if not client.scheduler_info()["workers"]:  # one that begins workers on demand has none either
+        complain(
+            f"fiveaxis: the dask scheduler at {address} has no worker yet, and the jobs wait for one: "
+            f"`dask worker {address}` starts one"
+        )
+    return DaskExecutor(client)
+
+
+class DaskExecutor(Executor):
+    """The workers of a dask client; the client's connection ends with the executor."""
+
+    def __init__(self, client: Any) -> None:
+        self.client, self.workers = client, client.get_executor()
+
+    def submit(self, fn: Callable[..., T], /, *args: Any, **kwargs: Any) -> Future[T]:
+        """Give the workers a task."""
+        future: Future[T] = self.workers.submit(fn, *args, **kwargs)
+        return future
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """End the connection, after all tasks or, unless ``wait``, at once; who gave them cancels them."""
+        self.workers.shutdown(wait=wait)
+        self.client.close()
