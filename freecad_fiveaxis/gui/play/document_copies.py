@@ -14,7 +14,7 @@ shape itself is drawn.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Sequence
 from typing import Any
 
 import numpy as np
@@ -42,7 +42,8 @@ Steps = Generator[None, None, Any]
 
 class ReducedShape:
     """A ``face`` node in its ``group``, with the node of its points; ``copy`` and ``node``: what is drawn in
-    its place, None until that is made; ``stale``: its facets are others since they were read."""
+    its place, None until that is made; ``tried``: whether that was begun; ``stale``: whether its facets are
+    others since."""
 
     def __init__(self, group: Any, face: Any, place: Any) -> None:
         self.group, self.face, self.place = group, face, place
@@ -50,7 +51,7 @@ class ReducedShape:
             one.ref()
         self.copy: Reduced | None = None
         self.node: Any = None
-        self.stale = False
+        self.tried = self.stale = False
         self._sensors = [_watch(field, self._change) for field in (face.coordIndex, place.point)]
 
     @property
@@ -93,10 +94,10 @@ class ReducedShape:
 
 
 class DocumentCopies:
-    """The large shapes below the ``graph`` of a 3D view."""
+    """The large shapes below the ``graph`` of a 3D view; ``beside``: facets of what else is drawn in many."""
 
-    def __init__(self, graph: Any) -> None:
-        self._graph, self._moving = graph, False
+    def __init__(self, graph: Any, beside: Sequence[int] = ()) -> None:
+        self._graph, self._beside, self._moving = graph, list(beside), False
         self.shapes: list[ReducedShape] = []
         self._work: Steps | None = None
         self._timer = QtCore.QTimer()
@@ -109,11 +110,19 @@ class DocumentCopies:
         """Whether copies are being made."""
         return self._work is not None
 
+    @property
+    def counts(self) -> list[int]:
+        """How many facets each shape has."""
+        return [one.count for one in self.shapes]
+
     def show(self, moving: bool) -> None:
         """Draw copies while the picture moves; what is there anew is looked for when it begins to."""
         if moving and not self._moving:
             self._look()
         self._moving = moving
+        if self._work is None and not all(one.tried for one in self.shapes):
+            self._work = self._make_copies()
+            self._timer.start()
         for one in self.shapes:
             one.show(moving)
 
@@ -125,16 +134,13 @@ class DocumentCopies:
             self.shapes.pop().release()
 
     def _look(self) -> None:
-        """Find the shapes that are seen, and begin with copies of new ones."""
+        """Find the shapes that are seen, and leave those that have changed, to be found anew."""
         for one in [one for one in self.shapes if one.stale]:
             self.shapes.remove(one)
             one.release()
         known = {_address(one.face) for one in self.shapes}
-        new = [ReducedShape(*found) for found in _find_shapes(self._graph) if _address(found[1]) not in known]
-        self.shapes += new
-        if new and self._work is None:
-            self._work = self._make_copies()
-            self._timer.start()
+        found = _find_shapes(self._graph)
+        self.shapes += [ReducedShape(*one) for one in found if _address(one[1]) not in known]
 
     def _go_on(self) -> None:
         try:
@@ -146,18 +152,19 @@ class DocumentCopies:
 
     def _make_copies(self) -> Steps:
         """Make what is missing, piece by piece."""
-        done: list[ReducedShape] = []
-        while waiting := [one for one in self.shapes if one not in done]:
-            most = dict(zip(map(id, self.shapes), share_facets([one.count for one in self.shapes], BUDGET)))
+        while waiting := [one for one in self.shapes if not one.tried]:
             one = waiting[0]
-            done.append(one)
-            if one.node is None:
-                one.take((yield from _make_copy(one, most[id(one)])))
+            one.tried = True
+            most = share_facets([*self.counts, *self._beside], BUDGET)[self.shapes.index(one)]
+            one.take((yield from _make_copy(one, most)))
 
 
 def _make_copy(shape: ReducedShape, most: int) -> Generator[None, None, tuple[Reduced, Shaded] | None]:
-    points = yield from _read(coin.SoMFVec3f(), shape.place.point, POINTS, _to_points)
-    corners = yield from _read(coin.SoMFInt32(), shape.face.coordIndex, CORNERS, _to_numbers)
+    place, index = coin.SoMFVec3f(), coin.SoMFInt32()
+    place.copyFrom(shape.place.point)  # both at once: the shape may change, or go, before they are read
+    index.copyFrom(shape.face.coordIndex)
+    points = yield from _read(place, POINTS, _to_points)
+    corners = yield from _read(index, CORNERS, _to_numbers)
     made: list[tuple[Reduced, Shaded]] = []
     thread = threading.Thread(target=_reduce, args=(points, corners, most, made), daemon=True)
     thread.start()
@@ -183,10 +190,9 @@ def _are_rows(rows: np.ndarray, count: int) -> bool:
     return bool(len(rows) and rows.min() >= 0 and rows.max() < count)
 
 
-def _read(rest: Any, field: Any, each: int, convert: Callable[[Any], np.ndarray]) -> Steps:
-    """Return the values of a field. Coin gives those from a row to the last one: a copy is read from its end
-    and cut off."""
-    rest.copyFrom(field)
+def _read(rest: Any, each: int, convert: Callable[[Any], np.ndarray]) -> Steps:
+    """Return the values of a field, and empty it: Coin gives those from a row to the last one, so that it is
+    read from its end and cut off."""
     parts = [convert([])]
     for start in reversed(range(0, int(rest.getNum()), each)):
         parts.append(convert(rest.getValues(start)))

@@ -104,9 +104,10 @@ class DrawnFixtures:
             nodes.turn(switch, name in hit or name in near)
 
 
-def draw_meshes(meshes: Sequence[Mesh], looks: Sequence[Look]) -> list[DrawnMesh]:
-    """Draw meshes that move together: their copies have ``BUDGET`` facets between them."""
-    shares = share_facets([len(one.face) for one in meshes], BUDGET)
+def draw_meshes(meshes: Sequence[Mesh], looks: Sequence[Look], beside: Sequence[int] = ()) -> list[DrawnMesh]:
+    """Draw meshes that move together: their copies, and those of what else is drawn with so many facets each
+    ``beside`` them, have ``BUDGET`` facets between them."""
+    shares = share_facets([*(len(one.face) for one in meshes), *beside], BUDGET)[: len(meshes)]
     return [DrawnMesh(*one) for one in zip(meshes, looks, shares, strict=True)]
 
 

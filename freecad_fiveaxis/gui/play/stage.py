@@ -50,12 +50,13 @@ class Stage:
         tool: DrawnTool,
         machine: DrawnMachine,
         fixtures: DrawnFixtures,
+        document: DocumentCopies,
         zero: np.ndarray,
         letters: str,
         centre: np.ndarray,
         reach: float,
     ) -> None:
-        self.machine, self.fixtures, self.document = machine, fixtures, DocumentCopies(graph)
+        self.machine, self.fixtures, self.document = machine, fixtures, document
         self.zero, self.centre, self.reach = np.asarray(zero, float), np.asarray(centre, float), reach
         self.tool, self.work, self.turn = (coin.SoMatrixTransform() for _ in range(3))
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
