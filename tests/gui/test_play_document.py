@@ -195,3 +195,23 @@ def test_the_window_goes_on_while_a_copy_is_made(doc, tmp_path, part, few, opene
     ready(shown, until)
     shown.refresh()
     assert len(pieces) >= 10 and shown.stage.document.shapes[0].reduced
+
+
+def test_while_time_passes_the_figures_are_written_now_and_then_and_at_a_pause_at_once(
+    doc, tmp_path, opened, click, until, pump, monkeypatch
+):
+    from freecad_fiveaxis.gui.play import panel
+
+    monkeypatch.setattr(panel, "READ", 1e9)
+    shown = opened(table_2(doc, tmp_path))
+    written, show = [], shown.readout.show
+    monkeypatch.setattr(shown.readout, "show", lambda *what: (written.append(what[0]), show(*what)))
+    click(shown.controls.play)
+    until(lambda: shown.playing and shown.player.share() > 0.1, 20000, "the motion")
+    assert not written
+    click(shown.controls.play)
+    until(lambda: not shown.playing, 20000, "a pause")
+    assert len(written) == 1 and np.allclose(written[0].words, shown.player.pose.words)
+    monkeypatch.setattr(panel, "READ", 0.0)
+    click(shown.controls.play)
+    until(lambda: len(written) > 3, 20000, "the figures")
