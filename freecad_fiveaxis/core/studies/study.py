@@ -26,7 +26,8 @@ from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with
+from freecad_fiveaxis.core.gouge.fixture_in_part import check_apart
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, read_fixtures
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
 from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
@@ -128,15 +129,17 @@ def run(settings: Settings, progress: Progress = silent, executor: Executor | No
 
 def try_reach(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None,
+    fixtures: Sequence[Fixture] | None = None, most: float = math.pi, executor: Executor | None = None,
 ) -> ReachTrial:  # fmt: skip
-    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its
-    way too; ``most`` rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
+    """Where the tool gets on the part. ``mesh``, ``faces``, ``fixtures``: as in :func:`~.job.make`; ``most``
+    rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
     machine, setup, _ = resolve_setup(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    check_apart(mesh, fixtures)
     mesh, faces, avoided, remarks = choose_facets(settings, mesh, faces, progress)
     area = find_area(settings, mesh, faces, avoided)
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])

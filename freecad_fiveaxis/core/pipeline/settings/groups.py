@@ -35,6 +35,7 @@ from .option import (
     SLOWEST,
     SMALLEST,
     TASKS,
+    TRIALS,
     WIDEST_LEAD,
     option,
 )
@@ -412,7 +413,7 @@ class GougeSettings:
         "an STL file of a vise, clamp or other fixture, in the part's own place, or with the place of its "
         "zero behind it: FILE.stl@X,Y,Z in mm from the work zero, or FILE.stl@X,Y,Z,RX,RY,RZ with degrees, "
         "turned about X, then Y, then Z of the work zero; the tool is checked against it, and a path is laid "
-        "around it; may be repeated", (*ONE_PROGRAM, SETUP),
+        "around it; may be repeated", (*ONE_PROGRAM, *TRIALS),
     )  # fmt: skip
     fixture_clearance: float = option(
         0.0, "length",
