@@ -59,6 +59,7 @@ from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
+from .compare_beside import report_hits, settle_beside, stand_beside
 from .corrections import check_cures, cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
@@ -216,6 +217,8 @@ def try_machines(
     if not names:
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
     machines = [load_machine(name) for name in names]
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    mesh, settings = settle_beside(settings, mesh, fixtures, progress)
     suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
     each_settings = [_job_settings(suited, name) for name in names]
     stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
@@ -224,11 +227,14 @@ def try_machines(
     ]
     program = _draft_for_first(each_settings, refused, progress, mesh, faces, fixtures)
     stations = [
-        station(machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text)
+        station(
+            machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text,
+            stand_beside(program.settings, machine, setup, fixtures),
+        )
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
-    ]
+    ]  # fmt: skip
     rows = compare(program.path, stations, cures(program, wanted), progress=progress, executor=executor)
-    return Comparison(settings, program, rows, tuple(_row_findings(rows)))
+    return Comparison(settings, program, rows, (*_row_findings(rows), *report_hits(rows)))
 
 
 def _draft_for_first(
