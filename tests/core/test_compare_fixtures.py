@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.studies import study
 from freecad_fiveaxis.core.studies.compare import compare_html, compare_json, compare_text, verdict
-from freecad_fiveaxis.core.studies.compare.beside_fixtures import find_deepest
+from freecad_fiveaxis.core.studies.compare.beside_fixtures import hits_fixture
 from freecad_fiveaxis.core.studies.study import as_text, try_machines
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
@@ -78,15 +78,15 @@ def test_where_the_controller_guides_the_tip_dense_samples_of_its_way_find_the_s
     free, guided = found.rows
     path = found.draft.path
     swept = straight_motion(path.tip[-2:], path.axis[-2:])
-    deepest = sampled_depth(body_of(Cutter(6.0, 30.0)), dense_points(CLAMP.mesh, 0.1), swept, 0, 400)
-    assert worst(guided.fixtures)[0] == pytest.approx(deepest, abs=0.02) and 0.5 < deepest < 2.9
+    deepest = sampled_depth(body_of(Cutter(6.0, 30.0)), dense_points(CLAMP.mesh, 0.25), swept, 0, 200)
+    assert worst(guided.fixtures)[0] == pytest.approx(deepest, abs=0.05) and 0.5 < deepest < 2.9
     assert abs(worst(free.fixtures)[0] - deepest) > 0.1
 
 
 def test_what_hits_a_fixture_is_not_among_the_ways_that_hold_and_the_table_says_how_deep():
     found = compared("none,linearize", gouge="off")
     text, record = as_text(found), json.loads(compare_json(found.rows))
-    assert all(find_deepest(row.fixtures) for row in found.rows) and len(found.rows) == 4
+    assert all(hits_fixture(row.fixtures) for row in found.rows) and len(found.rows) == 4
     assert "stays out of the fixtures" in text and "In 4 of 4 ways the tool hits a fixture." in text
     assert text.count("in clamp.stl") == 4 and " fixtures" in text
     assert [len(row["fixtures"]) for row in record["rows"]] == [1] * 4
@@ -122,7 +122,7 @@ def test_what_comes_nearer_than_the_clearance_stands_in_the_table():
     aside = Fixture("aside", from_triangles(box((10, -12, 0), (20, -5, 25))))
     found = compared("none", fixtures=(aside,), fixture_clearance=5.0)
     assert [one.code for one in found.rows[0].fixtures] == [Code.FIXTURE_NEAR]
-    assert "mm to aside" in as_text(found) and "hits" not in as_text(found)
+    assert "mm from aside" in as_text(found) and "hits" not in as_text(found)
 
 
 def test_the_spindle_of_each_machine_is_looked_at_where_the_tools_length_is_known(monkeypatch):

@@ -43,9 +43,9 @@ def check_apart(mesh: Mesh, fixtures: Sequence[Fixture]) -> None:
         if place is not None:
             raise SettingsError(
                 say(
-                    "the fixture {fixture} stands in the part, more than {depth} deep at {at}; say where it "
-                    "stands with {option}, as FILE.stl@X,Y,Z, and check its units",
-                    fixture=one.name, depth=Length(PRESSED), at=Point(place), option=Option("fixture"),
+                    "{option}: {fixture} stands in the part, more than {depth} deep at {at}; check its place "
+                    "and its units",
+                    option=Option("fixture"), fixture=one.name, depth=Length(PRESSED), at=Point(place),
                 ),
                 one.name,
             )  # fmt: skip

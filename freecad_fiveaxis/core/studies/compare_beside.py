@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.pipeline.settings import Settings, is_part
 from freecad_fiveaxis.core.tool.body import Body, lower_body
 
 from .compare import Beside, Row
-from .compare.beside_fixtures import find_deepest
+from .compare.beside_fixtures import find_worst_meeting, hits_fixture
 
 
 def settle_beside(
@@ -59,12 +59,13 @@ def stand_beside(job: Settings, machine: Machine, setup: Setup, fixtures: Sequen
 def report_hits(rows: Sequence[Row]) -> Iterator[Finding]:
     """Yield the deepest entry into a fixture of all rows: an error where every way has one."""
     able = [row for row in rows if not row.problem]
-    found = [(row, deep) for row in able if (deep := find_deepest(row.fixtures)) is not None]
+    hit = [row for row in able if hits_fixture(row.fixtures)]
+    found = [(met.room, row, met.found) for row in hit if (met := find_worst_meeting(row.fixtures))]
     if found:
-        row, deep = max(found, key=lambda one: one[1].value or 0.0)
+        _, row, deep = min(found, key=lambda one: one[0])
         text = say(
             "On {machine} with correction {cure}: {what}",
             machine=row.machine, cure=Choice("cures", (row.cure,), alone=True), what=deep.text,
         )  # fmt: skip
-        grave = Severity.ERROR if len(found) == len(able) else Severity.WARNING
+        grave = Severity.ERROR if len(hit) == len(able) else Severity.WARNING
         yield replace(deep, severity=grave, text=text, block=None, line=None)

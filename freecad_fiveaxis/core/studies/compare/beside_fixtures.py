@@ -9,8 +9,10 @@ guided    where the controller guides the tip this goes straight, and the axis t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -56,18 +58,27 @@ def guide_tip(kinematics: Chain, program: Program, tip: Floats) -> Program:
     return replace(program, words=stands, guided=Guided(np.ones(len(tip), np.bool_), tip))
 
 
-def find_deepest(findings: Sequence[Finding] | None) -> Finding | None:
-    """Return the deepest entry into a fixture; None where nothing enters one."""
-    found = [one for one in findings or () if one.code == Code.FIXTURE_COLLISION]
-    return max(found, key=_depth_of) if found else None
+class Meeting(NamedTuple):
+    """The worst that a program does to a ``fixture``: ``room`` mm that is left, below 0: so deep it enters,
+    -inf: the whole cutter is in it; ``found`` says it."""
+
+    fixture: str
+    room: float
+    found: Finding
 
 
-def find_nearest(findings: Sequence[Finding] | None) -> Finding | None:
-    """Return what comes nearest to a fixture; None where all keep the clearance."""
-    found = [one for one in findings or () if one.code == Code.FIXTURE_NEAR]
-    return min(found, key=lambda one: one.value or 0.0) if found else None
+def find_worst_meeting(findings: Sequence[Finding] | None) -> Meeting | None:
+    """Return what is deepest in a fixture, else what is nearest to one; None where all keep the clearance."""
+    met = [_meeting(one) for one in findings or () if one.code in (Code.FIXTURE_COLLISION, Code.FIXTURE_NEAR)]
+    return min(met, key=lambda one: one.room, default=None)
 
 
-def _depth_of(found: Finding) -> float:
-    """mm; of a cutter that is wholly in a fixture it is not known, and more than any."""
-    return found.value if found.unit == "mm" and found.value is not None else np.inf
+def hits_fixture(findings: Sequence[Finding] | None) -> bool:
+    """Whether something enters a fixture."""
+    return any(one.code == Code.FIXTURE_COLLISION for one in findings or ())
+
+
+def _meeting(found: Finding) -> Meeting:
+    hit, value = found.hit or found.near, found.value or 0.0
+    room = value if found.code == Code.FIXTURE_NEAR else -value if found.unit == "mm" else -math.inf
+    return Meeting(hit.entered if hit else "", room, found)

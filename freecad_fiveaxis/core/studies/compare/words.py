@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
 
-from .beside_fixtures import find_deepest, find_nearest
+from .beside_fixtures import find_worst_meeting, hits_fixture
 from .stations import Row
 
 VERSION = 1
@@ -89,7 +89,7 @@ def _has_fixtures(rows: Sequence[Row]) -> bool:
 def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
     """One plain sentence: what holds the tolerance soonest; without one, what deviates least. Another says in
     how many ways a fixture is hit."""
-    hit = sum(find_deepest(row.fixtures) is not None for row in rows)
+    hit = sum(hits_fixture(row.fixtures) for row in rows)
     found = _name_best(rows, tolerance)
     return join_sentences((found, _say_hit(hit, len(rows)))) if hit else found
 
@@ -109,7 +109,7 @@ def _name_best(rows: Sequence[Row], tolerance: float | None) -> Sentence:
         return say("None of the machines can drive this path.")
     plain_ones = [row for row in able if not row.tool_centre] or able
     if tolerance is None:
-        best = min(plain_ones, key=lambda row: (find_deepest(row.fixtures) is not None, row.deviation))
+        best = min(plain_ones, key=lambda row: (hits_fixture(row.fixtures), row.deviation))
         return say(
             "Least deviation: {way}, {deviation} in {time}.",
             way=_name(best),
@@ -157,7 +157,7 @@ def _good(rows: Sequence[Row], tolerance: float) -> list[Row]:
         if not row.problem
         and row.bound <= tolerance
         and not row.over > LIMIT_SHOWN
-        and find_deepest(row.fixtures) is None
+        and not hits_fixture(row.fixtures)
     ]
 
 
@@ -182,13 +182,12 @@ def name_hit(row: Row) -> str:
     """Say in a cell how deep the tool goes into which fixture, or how near it comes."""
     if row.fixtures is None:
         return "-"
-    deep, near = find_deepest(row.fixtures), find_nearest(row.fixtures)
-    if deep is not None:
-        how = f"{deep.value:.3f} mm" if deep.unit == "mm" else "wholly"
-        return f"{how} in {deep.hit.entered}" if deep.hit else how
-    if near is not None:
-        return f"{near.value:.3f} mm to {near.near.entered}" if near.near else f"{near.value:.3f} mm"
-    return "free"
+    met = find_worst_meeting(row.fixtures)
+    if met is None:
+        return "free"
+    if hits_fixture((met.found,)):
+        return f"wholly in {met.fixture}" if math.isinf(met.room) else f"{-met.room:.3f} mm in {met.fixture}"
+    return f"{met.room:.3f} mm from {met.fixture}"
 
 
 def _cells(row: Row) -> list[str]:
