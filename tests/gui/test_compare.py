@@ -192,12 +192,12 @@ def test_without_a_toolpath_the_command_is_disabled(doc, tool_button, until):
 
 def test_fixtures_of_the_path_are_ticked_and_what_is_ticked_stands_in_the_table_alone(path, doc, tree_row, press, field, click, until,
                                                                                       window, panel_button, screenshot):  # fmt: skip
-    """A post over the dome, half a mm above its top: the path has it as a fixture. Untick it, and the table
-    says nothing of fixtures; the path keeps it."""
+    """A post over the dome, half a mm above its top: the path has it as a fixture, and is not lifted out of it.
+    Untick it, and the table says nothing of fixtures; the path keeps it."""
     post = doc.addObject("Part::Box", "Post")
     post.Length, post.Width, post.Height = 10, 10, 40
     post.Placement.Base = FreeCAD.Vector(-5, -5, 20.5)
-    path.Fixtures = [post]
+    path.Fixtures, path.Gouge = [post], "off"
     doc.recompute()
     before = path.Fingerprint
     tree_row(path.Label)
@@ -215,7 +215,7 @@ def test_fixtures_of_the_path_are_ticked_and_what_is_ticked_stands_in_the_table_
     expected = comparing.compare(path, ["trunnion_ac"], ["none"]).rows
     for row, core in enumerate(expected):
         text = table.item(row, last).text()
-        assert ("Post" in text) if core.fixtures else text == "free"
+        assert "in Post" in text and "Post" in core.fixtures[0].text, "as the core says"
     screenshot("compare_fixtures")
     tick(until, editor, click)
     click(field("calculate"))
