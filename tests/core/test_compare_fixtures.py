@@ -19,9 +19,9 @@ from freecad_fiveaxis.core.gouge import straight_motion
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline import driving, job
 from freecad_fiveaxis.core.studies import study
-from freecad_fiveaxis.core.studies.compare import compare_html, compare_json, compare_text, verdict
+from freecad_fiveaxis.core.studies.compare import compare_html, compare_json, compare_text, stations, verdict
 from freecad_fiveaxis.core.studies.compare.beside_fixtures import hits_fixture
 from freecad_fiveaxis.core.studies.study import as_text, try_machines
 from freecad_fiveaxis.core.tool import Cutter
@@ -175,3 +175,18 @@ def test_a_fixture_in_the_part_is_one_line_with_exit_code_2_before_the_work(file
     assert cli.main(["compare", str(files / "plate.stl"), *FLAGS, *given]) == cli.UNUSABLE
     (line,) = capsys.readouterr().err.strip().splitlines()
     assert "own.stl" in line and "stands in the part" in line and not report.exists()
+
+
+def test_retracts_keep_off_the_box_of_part_and_fixture_as_in_mill(monkeypatch):
+    """What the joint paths of both are asked to keep off, and with which tool."""
+    asked = []
+    for module in (stations, driving):
+        whole = module.solve
+        monkeypatch.setattr(
+            module, "solve", lambda *given, whole=whole, **more: asked.append(given) or whole(*given, **more)
+        )
+    compared("none", holder="40x30")
+    (_, _, low, high, *_, milled_tool, _), (_, _, also_low, also_high, *_, tool) = asked
+    assert low.tolist() == also_low.tolist() == [0, -8, 0]
+    assert high.tolist() == also_high.tolist() == [30, 20, 25]
+    assert tool == milled_tool and len(tool.pieces) > 1
