@@ -10,7 +10,24 @@ from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "Overview.md", *sorted((ROOT / "docs").rglob("*.md"))]
-NUMBERS = "no one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen".split()
+NUMBERS = [
+    "no",
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+    "thirteen",
+    "fourteen",
+    "fifteen",
+]
 OF_MACHINES = re.compile(
     r"\b([a-z]+|\d+) (?:shipped machines|machines are shipped|are shipped\b)", re.IGNORECASE
 )
@@ -19,7 +36,9 @@ OF_KINEMATICS = re.compile(r"\b([a-z]+|\d+) kinematics of the [a-z]+ shipped mac
 
 def find_figures(pattern):
     """What the pages say, as (page, number)."""
-    found = [(page.name, word) for page in PAGES for word in pattern.findall(page.read_text(encoding="utf-8"))]
+    found = [
+        (page.name, word) for page in PAGES for word in pattern.findall(page.read_text(encoding="utf-8"))
+    ]
     words = [(name, word.lower()) for name, word in found]
     return [
         (name, int(word) if word.isdigit() else NUMBERS.index(word))
@@ -32,7 +51,10 @@ def count_kinematics():
     machines = [load_machine(name) for name in list_shipped_machines()]
     return len(
         {
-            (one.gauge_point, tuple((axis.letter, axis.side, axis.direction, axis.point) for axis in one.axes))
+            (
+                one.gauge_point,
+                tuple((axis.letter, axis.side, axis.direction, axis.point) for axis in one.axes),
+            )
             for one in machines
         }
     )

@@ -290,7 +290,9 @@ def test_a_head_whose_tip_hangs_beside_its_upright_axis_swings():
     head = next(axis for axis in load_machine("fork_head_bc").rotary if axis.letter == "C")
     beside = np.array([80.0, 0.0, -200.0])
     assert "the tip swings to the back, 17.4 mm" in rotary_seen(head, "B", math.radians(10.0), beside)[0]
-    assert "the tool turns about itself" in rotary_seen(head, "B", math.radians(10.0), beside * (0.1, 0, 1))[0]
+    assert (
+        "the tool turns about itself" in rotary_seen(head, "B", math.radians(10.0), beside * (0.1, 0, 1))[0]
+    )
 
 
 def test_a_table_goes_the_other_way_than_the_tool_seen_from_the_part():

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.audit.program_end import end_findings
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
 from freecad_fiveaxis.core.audit.tool_length import assume_length, length_findings
 from freecad_fiveaxis.core.audit.units import unit_findings
-from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.errors import SettingsError, naming_file
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -138,7 +138,8 @@ def make(
         machine.no_motion,
         search_folders(settings, settings.source),
     )
-    reading = read_in_order(text, kinematics, dialect, progress, assumed)
+    with naming_file(settings.source):
+        reading = read_in_order(text, kinematics, dialect, progress, assumed)
     program = reading.program
     settings, named = _with_named_cutter(settings, text)
     found += (
@@ -223,7 +224,8 @@ def post(
 ) -> PostedProgram:  # fmt: skip
     """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the
     feed moves and the fixtures."""
-    file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
+    with naming_file(settings.source):
+        file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
     given, path = settings, file.path
     settings = with_head(given, file.head)
     box, cuts = box_with(_box_of_moves(path, Motion.RAPID), fixtures), _box_of_moves(path, Motion.LINK)
@@ -329,7 +331,8 @@ def _read_reference(settings: Settings, progress: Progress) -> tuple[CLPath | Me
         return None, settings
     if is_part(path):
         return read_stl(path, progress), settings
-    file = read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress)
+    with naming_file(path):
+        file = read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress)
     return file.path, with_cutter(settings, file.head.cutter)
 
 
