@@ -83,7 +83,9 @@ def test_a_job_file_says_it_by_the_same_option(files, capsys):
     assert told.startswith("fiveaxis: --fixture: ") and "gone.stl does not exist" in told
 
 
-@pytest.mark.parametrize(("name", "text"), [("b.ngc", "G21\nG1 X1 Y2 \x7f\nG1 X2\nM2\n"), ("b.apt", "GOTO/1,2\n")])
+@pytest.mark.parametrize(
+    ("name", "text"), [("b.ngc", "G21\nG1 X1 Y2 \x7f\nG1 X2\nM2\n"), ("b.apt", "GOTO/1,2\n")]
+)
 def test_text_that_cannot_be_read_is_told_behind_its_file(name, text, files, capsys):
     (files / name).write_text(text)
     words = ("audit", name) if name == "b.ngc" else ("post", name, "-o", "o.ngc")
