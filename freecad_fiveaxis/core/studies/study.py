@@ -51,9 +51,18 @@ from freecad_fiveaxis.core.pipeline.options import (
     title_of,
     tool_body,
 )
-from freecad_fiveaxis.core.pipeline.over_table import IN_TABLE
+from freecad_fiveaxis.core.pipeline.over_table import AUTO, IN_TABLE
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
-from freecad_fiveaxis.core.pipeline.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
+from freecad_fiveaxis.core.pipeline.settings import (
+    FRAMES,
+    MILL,
+    POST,
+    REACH,
+    SETUP,
+    Settings,
+    flat_options,
+    is_part,
+)
 from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
@@ -316,7 +325,18 @@ def _standing(chart: SetupMap, program: PostedProgram, machine: Machine) -> Stan
         program.path, machine, chart.base, post, (x, y, z), float(chart.turn[row]), part, program.fixtures,
         chart.table, stack, settings.machine.tool_length is not None, tip_to_driven(settings),
         settings.gouge.fixture_clearance, settings.proof.tolerance,
+        None if part is None else _find_axes_choice(settings),
     )  # fmt: skip
+
+
+def _find_axes_choice(settings: Settings) -> Choice | None:
+    """Find the option by which tool axes are chosen by what is free of the whole tool."""
+    if settings.tool_axis.tool_axis == AUTO:
+        return Choice("tool_axis", (AUTO,), flag=True)
+    if settings.passes.passes == FRAMES:
+        return Choice("passes", (FRAMES,), flag=True)
+    chosen = settings.gouge.gouge
+    return Choice("gouge", (chosen,), flag=True) if chosen in ("tilt", "leave-out") else None
 
 
 def with_tool(settings: Settings, tool: Stack) -> Settings:
