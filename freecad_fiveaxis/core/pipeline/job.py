@@ -32,6 +32,7 @@ from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.gouge.faces import facets_on
+from freecad_fiveaxis.core.gouge.fixture_in_part import report_in_part
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures, read_fixtures
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
@@ -274,12 +275,16 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
         surface is not None,
         find_programmed_feed(draft),
     )
+    reference = draft.mesh if isinstance(draft, MilledProgram) else against
+    apart = tuple(report_in_part(reference, draft.fixtures)) if isinstance(reference, Mesh) else ()
     gouge, rest, entries = _against_part(draft, progress)
     entries += (
         check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
     )
     hit = _in_fixtures(draft, progress) + look_in_machine(draft, against, progress)
-    found = still_true(draft.findings, gouge, rest, entries) + deviation.findings + entries + hit + judged
+    found = (
+        apart + still_true(draft.findings, gouge, rest, entries) + deviation.findings + entries + hit + judged
+    )
     if draft.settings.task != AUDIT:
         return Result(draft, deviation, singularity, found, gouge=gouge, rest=rest, surface=surface)
     audited = _audit_draft(draft, deviation, against, progress)

@@ -31,16 +31,26 @@ def settle_beside(
     """Return the part, where there is one and fixtures stand beside it, and settings by which the path is
     lifted out of these as in ``mill``, unless it is said otherwise. Raises FiveAxisError for a fixture in the
     part."""
-    if not fixtures:
+    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
+    if mesh is None or not fixtures:
         return mesh, settings
-    if mesh is None and is_part(settings.source):
-        mesh = read_stl(settings.source, progress)
-    if mesh is None:
-        return mesh, settings
-    check_apart(mesh, fixtures)
     if settings.gouge.gouge == "off" and "gouge" not in settings.explicit:
         settings = replace(settings, gouge=replace(settings.gouge, gouge="lift"))
     return mesh, settings
+
+
+def read_part_beside(
+    source: str, mesh: Mesh | None, fixtures: Sequence[Fixture], progress: Progress
+) -> Mesh | None:
+    """Return the part, where there is one and fixtures stand beside it: that at hand, else that of the
+    source. Raises FiveAxisError for a fixture in the part."""
+    if not fixtures:
+        return mesh
+    if mesh is None and is_part(source):
+        mesh = read_stl(source, progress)
+    if mesh is not None:
+        check_apart(mesh, fixtures)
+    return mesh
 
 
 def stand_beside(job: Settings, machine: Machine, setup: Setup, fixtures: Sequence[Fixture]) -> Beside | None:

@@ -26,7 +26,6 @@ from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.gouge.fixture_in_part import check_apart
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, read_fixtures
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
@@ -68,7 +67,7 @@ from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
-from .compare_beside import report_hits, settle_beside, stand_beside
+from .compare_beside import read_part_beside, report_hits, settle_beside, stand_beside
 from .corrections import check_cures, cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
@@ -147,9 +146,9 @@ def try_reach(
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
-    mesh = read_stl(settings.source, progress) if mesh is None else mesh
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
-    check_apart(mesh, fixtures)
+    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
+    mesh = read_stl(settings.source, progress) if mesh is None else mesh
     mesh, faces, avoided, remarks = choose_facets(settings, mesh, faces, progress)
     area = find_area(settings, mesh, faces, avoided)
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
@@ -195,6 +194,8 @@ def try_setups(
     )  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
     program = _post_job(job, progress, mesh, faces, fixtures)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
