@@ -2167,6 +2167,10 @@
         <translation>Feste Achse I, J, K</translation>
     </message>
     <message>
+        <source>Fixture in the part</source>
+        <translation>Spannmittel im Werkstück</translation>
+    </message>
+    <message>
         <source>Fixtures</source>
         <translation>Spannmittel</translation>
     </message>
@@ -4652,6 +4656,10 @@
         <translation>Ein positives Wort gilt als positiver Wert seines Gelenks, das Tisch oder Werkzeug entlang seiner Achse oder um sie bewegt. Prüfen Sie die Vorzeichen, bevor Sie fräsen.</translation>
     </message>
     <message>
+        <source>A shorter one may then do: to try it, run {task} with {options}; it says whether that is free.</source>
+        <translation>Dann genügt vielleicht ein kürzeres: zum Versuch {task} mit {options} ausführen; dort steht, ob das frei ist.</translation>
+    </message>
+    <message>
         <source>A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say CYCLE/OFF before.</source>
         <translation>Ein Schritt oder FROM steht in einem Bohrzyklus (Zeile {line}): Dort wird nicht gebohrt. Vorher CYCLE/OFF angeben.</translation>
     </message>
@@ -5052,6 +5060,10 @@
         <translation>Er liegt</translation>
     </message>
     <message>
+        <source>JSON text</source>
+        <translation>ein JSON-Text</translation>
+    </message>
+    <message>
         <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero, where the tool sticks out {length}: {sides}.</source>
         <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus, bei einer Auskragung des Werkzeugs von {length}: {sides}.</translation>
     </message>
@@ -5348,8 +5360,8 @@
         <translation>SEQ verlangt eine Stellung jenseits der Grenzen</translation>
     </message>
     <message>
-        <source>STL file {path} cannot be read: {strerror}</source>
-        <translation>Die STL-Datei {path} ist nicht lesbar: {strerror}</translation>
+        <source>STL file {path} cannot be read: {strerror}; check its name, its folder and your right to read it</source>
+        <translation>STL-Datei {path} kann nicht gelesen werden: {strerror}; Namen, Ordner und Leserecht prüfen</translation>
     </message>
     <message>
         <source>Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.</source>
@@ -5378,6 +5390,10 @@
     <message>
         <source>Stand {place}: largest deviation {whose} {deviation} instead of {now}, {times} times less.</source>
         <translation>Aufstellen: {place}. Größte Abweichung {whose} {deviation} statt {now}, {times}-mal weniger.</translation>
+    </message>
+    <message>
+        <source>Stand {place}: largest deviation {whose} {deviation}, as good as {now} in the present setup, which {why}.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung {whose} {deviation}, so gut wie {now} in der jetzigen Aufspannung, die {why}.</translation>
     </message>
     <message>
         <source>Stand {place}: largest deviation {whose} {deviation}.</source>
@@ -5466,6 +5482,10 @@
     <message>
         <source>The first motion line does not say where {unknown} stand; they are taken as 0 there.</source>
         <translation>Die erste Bewegungszeile sagt nicht, wo {unknown} stehen; sie werden dort als 0 genommen.</translation>
+    </message>
+    <message>
+        <source>The fixture {fixture} stands in the part, more than {depth} deep at {at}: check its place and its units first. What else is told of it is told of that place.</source>
+        <translation>Das Spannmittel {fixture} steht im Werkstück, bei {at} mehr als {depth} tief: zuerst seinen Platz und seine Einheit prüfen. Was sonst von ihm gesagt wird, gilt für diesen Platz.</translation>
     </message>
     <message>
         <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
@@ -5836,6 +5856,10 @@
         <translation>Diese berühren einander, wenn alle Achsen auf null stehen; sie gelten als Nachbarn und wurden nicht gegeneinander geprüft: {names}.</translation>
     </message>
     <message>
+        <source>This is told of the path as it was made for {present}: by {axes_by} another tool is given another path.</source>
+        <translation>Das gilt für die Bahn, wie sie für {present} gemacht wurde: durch {axes_by} bekommt ein anderes Werkzeug eine andere Bahn.</translation>
+    </message>
+    <message>
         <source>Tighter than the cutter ({area}): its end does not fit there; use a smaller radius.</source>
         <translation>Zu eng für den Fräser ({area}): Sein Ende passt dort nicht hinein; nehmen Sie einen kleineren Radius.</translation>
     </message>
@@ -5996,6 +6020,10 @@
         <translation>einen CAM-Auftrag</translation>
     </message>
     <message>
+        <source>a CL file (APT)</source>
+        <translation>eine CL-Datei (APT)</translation>
+    </message>
+    <message>
         <source>a G65 beside another G code</source>
         <translation>ein G65 neben einem anderen G-Code</translation>
     </message>
@@ -6086,6 +6114,10 @@
     <message>
         <source>a fixture is in the way</source>
         <translation>ein Spannmittel ist im Weg</translation>
+    </message>
+    <message>
+        <source>a fixture stands in the part</source>
+        <translation>ein Spannmittel steht im Werkstück</translation>
     </message>
     <message>
         <source>a list of names</source>
@@ -6274,6 +6306,14 @@
     <message>
         <source>allow more frames</source>
         <translation>mehr Anstellungen zulassen</translation>
+    </message>
+    <message>
+        <source>an NC program</source>
+        <translation>ein NC-Programm</translation>
+    </message>
+    <message>
+        <source>an STL file</source>
+        <translation>eine STL-Datei</translation>
     </message>
     <message>
         <source>an arc does not pass through the points beside it</source>
@@ -6956,6 +6996,10 @@
         <translation>ist kein JSON ({error})</translation>
     </message>
     <message>
+        <source>is turned farther</source>
+        <translation>weiter gedreht ist</translation>
+    </message>
+    <message>
         <source>it calls more than {most} programs</source>
         <translation>es ruft mehr als {most} Programme auf</translation>
     </message>
@@ -7128,8 +7172,8 @@
         <translation>seine {edge} Kante geht {way}</translation>
     </message>
     <message>
-        <source>job file {path} is not JSON: {error}</source>
-        <translation>die Auftragsdatei {path} ist kein JSON: {error}</translation>
+        <source>job file {path} is not JSON: {error}; correct that place, or name another file</source>
+        <translation>Auftragsdatei {path} ist kein JSON: {error}; diese Stelle berichtigen oder eine andere Datei nennen</translation>
     </message>
     <message>
         <source>job file {path} needs "task" (one of {tasks}) and "source", the file to read</source>
@@ -7222,6 +7266,10 @@
     <message>
         <source>let blocks be divided ({divide})</source>
         <translation>NC-Sätze teilen lassen ({divide})</translation>
+    </message>
+    <message>
+        <source>lies outside the region</source>
+        <translation>außerhalb des Bereichs liegt</translation>
     </message>
     <message>
         <source>limits and rates are assumed: no row tells them</source>
@@ -7434,6 +7482,26 @@
     <message>
         <source>moves without an axis keep the last one, which leans</source>
         <translation>Bewegungen ohne Achse behalten die letzte, die geneigt ist</translation>
+    </message>
+    <message>
+        <source>name another file</source>
+        <translation>eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes CL files)</source>
+        <translation>eine andere Datei nennen ({task} nimmt CL-Dateien)</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes NC programs)</source>
+        <translation>eine andere Datei nennen ({task} nimmt NC-Programme)</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes job files)</source>
+        <translation>eine andere Datei nennen ({task} nimmt Auftragsdateien)</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes parts)</source>
+        <translation>eine andere Datei nennen ({task} nimmt Werkstücke)</translation>
     </message>
     <message>
         <source>neighbouring facets disagree about which side is outside</source>
@@ -8106,6 +8174,10 @@
     <message>
         <source>table</source>
         <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>takes longer</source>
+        <translation>länger dauert</translation>
     </message>
     <message>
         <source>the CL file has no tool {tool}; it has {listed}</source>
@@ -8860,8 +8932,8 @@
         <translation>das ist keine NC-Zeile; löschen, was vor dem Programm steht, oder in Klammern setzen</translation>
     </message>
     <message>
-        <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header</source>
-        <translation>das ist keine STL-Datei: ihre {size} Bytes beginnen weder mit „solid“, noch enthalten sie einen binären Kopf</translation>
+        <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header; export the part as STL</source>
+        <translation>das ist keine STL-Datei: ihre {size} Bytes beginnen weder mit 'solid' noch enthalten sie einen binären Kopf; das Werkstück als STL exportieren</translation>
     </message>
     <message>
         <source>this machine cannot take up its normal</source>
@@ -8958,6 +9030,10 @@
     <message>
         <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
         <translation>zuerst das Werkstück um {turn} um Z durch seinen Nullpunkt drehen, gegen den Uhrzeigersinn, und nur eine Drehung erproben</translation>
+    </message>
+    <message>
+        <source>turns back more often</source>
+        <translation>öfter zurückdreht</translation>
     </message>
     <message>
         <source>two axes are called {letter}; give each a letter of its own</source>
@@ -9640,6 +9716,10 @@
         <translation>{first} und {second} drehen beide falsch herum</translation>
     </message>
     <message>
+        <source>{first} is {found} and {second} is {other}: the two are exchanged; name {second} first</source>
+        <translation>{first} ist {found} und {second} ist {other}: die beiden sind vertauscht; {second} zuerst nennen</translation>
+    </message>
+    <message>
         <source>{first} turns {turn} and {second} {other_turn}</source>
         <translation>{first} dreht {turn} und {second} {other_turn}</translation>
     </message>
@@ -10276,6 +10356,10 @@
         <translation>{option}: {fixture} steht im Werkstück, mehr als {depth} tief bei {at}; Ort und Einheiten prüfen</translation>
     </message>
     <message>
+        <source>{option}: {problem}</source>
+        <translation>{option}: {problem}</translation>
+    </message>
+    <message>
         <source>{output} does not end in {suffix}, as machine files do; name it so</source>
         <translation>{output} endet nicht auf {suffix} wie Maschinendateien; so benennen</translation>
     </message>
@@ -10308,8 +10392,8 @@
         <translation>{past} braucht die Bahnen des Werkstücks: mit {mill} verwenden; eine CL-Datei behält ihre Achsen</translation>
     </message>
     <message>
-        <source>{path} cannot be read: {strerror}</source>
-        <translation>{path} ist nicht lesbar: {strerror}</translation>
+        <source>{path} cannot be read: {strerror}; check its folder and your right to read it</source>
+        <translation>{path} kann nicht gelesen werden: {strerror}; Ordner und Leserecht prüfen</translation>
     </message>
     <message>
         <source>{path} cannot be the name of a file; give another</source>
@@ -10366,6 +10450,10 @@
     <message>
         <source>{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}</source>
         <translation>{path} ist schon da und nicht von dieser Serie; einen anderen Ordner wählen ({out}) oder {overwrite} angeben</translation>
+    </message>
+    <message>
+        <source>{path} is {found}, needed is {wanted}; {remedy}</source>
+        <translation>{path} ist {found}, gebraucht wird {wanted}; {remedy}</translation>
     </message>
     <message>
         <source>{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else</source>
@@ -10672,8 +10760,8 @@
         <translation>{what}: {part} liegt außerhalb; Durchmesser und Längen über 0 bis 10000 mm angeben</translation>
     </message>
     <message>
-        <source>{what} {path} cannot be read: {strerror}</source>
-        <translation>{what} {path} ist nicht lesbar: {strerror}</translation>
+        <source>{what} {path} cannot be read: {strerror}; check its name, its folder and your right to read it</source>
+        <translation>{what} {path} kann nicht gelesen werden: {strerror}; Namen, Ordner und Leserecht prüfen</translation>
     </message>
     <message>
         <source>{what} {path}: its bytes</source>

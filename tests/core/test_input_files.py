@@ -44,7 +44,7 @@ def refused(capsys, *words):
 MILL = ("mill", "part.stl", *MACHINE, "--stepover", "5", "-o", "o.ngc")
 WRONG = {
     "source missing": (("mill", "gone.stl", *MILL[2:]), "gone.stl does not exist; name the file to read"),
-    "source another": (("mill", "a.ngc", *MILL[2:]), "a.ngc is an NC program, needed is an STL file; name another file (audit takes NC programs)"),
+    "source another": (("mill", "a.ngc", *MILL[2:]), "a.ngc is an NC program, needed is an STL file; name another file (`audit` takes NC programs)"),
     "source no mesh": (("mill", "words.stl", *MILL[2:]), "words.stl: this is no STL file: its 5 bytes neither begin with 'solid' nor hold a binary header; export the part as STL"),
     "fixture missing": ((*MILL, "--fixture", "gone.stl"), "--fixture: gone.stl does not exist; name the file to read"),
     "fixture in its place": ((*MILL, "--fixture", "gone.stl@1,2,3"), "--fixture: gone.stl does not exist"),
@@ -55,8 +55,8 @@ WRONG = {
     "avoid": ((*MILL, "--avoid", "a.json"), "--avoid: a.json is JSON text, needed is an STL file; name another file"),
     "curve": ((*MILL, "--from", "gone.csv"), "--from: gone.csv does not exist; name the file to read"),
     "machine": (("mill", "part.stl", "--machine", "gone.fcm", *MILL[4:]), "--machine: gone.fcm does not exist; name the file to read"),
-    "post": (("post", "part.stl", *MACHINE, "-o", "o.ngc"), "part.stl is an STL file, needed is a CL file (APT); name another file (mill takes parts)"),
-    "audit": (("audit", "a.apt", *MACHINE), "a.apt is a CL file (APT), needed is an NC program; name another file (post takes CL files)"),
+    "post": (("post", "part.stl", *MACHINE, "-o", "o.ngc"), "part.stl is an STL file, needed is a CL file (APT); name another file (`mill` takes parts)"),
+    "audit": (("audit", "a.apt", *MACHINE), "a.apt is a CL file (APT), needed is an NC program; name another file (`post` takes CL files)"),
     "against": (("audit", "a.ngc", *MACHINE, "--against", "gone.apt"), "--against: gone.apt does not exist; name the file to read"),
     "against another": (("audit", "a.ngc", *MACHINE, "--against", "words.stl"), "--against: words.stl: this is no STL file"),
     "setup": (("setup", "part.stl", *MACHINE, "--fixture", "gone.stl"), "--fixture: gone.stl does not exist"),

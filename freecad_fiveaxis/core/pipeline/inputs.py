@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, MeshError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, open_file
-from freecad_fiveaxis.core.base.sentences import Option, Sentence, say
+from freecad_fiveaxis.core.base.sentences import Option, Sentence, Task, say
 from freecad_fiveaxis.core.geometry.mesh import check_stl_beginning
 from freecad_fiveaxis.core.machine import machine_path
 
@@ -30,10 +30,10 @@ KINDS = {
     JSON: say("JSON text"),
 }
 REMEDIES = {
-    STL: say("name another file ({command} takes parts)", command="mill"),
-    CL: say("name another file ({command} takes CL files)", command="post"),
-    NC: say("name another file ({command} takes NC programs)", command="audit"),
-    JSON: say("name another file ({command} takes job files)", command="run"),
+    STL: say("name another file ({task} takes parts)", task=Task("mill")),
+    CL: say("name another file ({task} takes CL files)", task=Task("post")),
+    NC: say("name another file ({task} takes NC programs)", task=Task("audit")),
+    JSON: say("name another file ({task} takes job files)", task=Task("run")),
 }
 """What takes a file of that kind."""
 OF_SOURCE = {MILL: STL, REACH: STL, POST: CL, RECOVER: CL, AUDIT: NC}
