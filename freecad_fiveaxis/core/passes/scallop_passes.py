@@ -40,6 +40,7 @@ from .geodesic import (
     side_lengths,
     step_across,
 )
+from .high_scallops import find_turns
 from .refine import Copy, drop_short, finer_copy, join_copies, take_facets
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop
 from .sources import find_source, source_values
@@ -153,7 +154,8 @@ class ConstantScallop(OverSurface):
         region.progress("placing passes", 0.3)
         steps = lay_steps(surface, ground.curve)
         region.progress("placing passes", 0.7)
-        return lay_passes(region, surface, steps)
+        turns = find_turns(surface.frame, surface.copy.mesh, steps)
+        return replace(lay_passes(region, surface, steps), turns=turns)
 
 
 def lay_steps(surface: Surface, curve: Floats | None) -> Floats:

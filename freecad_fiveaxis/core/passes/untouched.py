@@ -143,7 +143,7 @@ def _sample_rim(mesh: Mesh, there: Ints, step: float) -> tuple[Floats, Floats]:
     edge = np.flatnonzero(has.any(axis=1) & ~has.all(axis=1))
     facet = np.where(has[edge, 0], sides[edge, 0], sides[edge, 1])
     ends = mesh.vertex[mesh.coedge_vertex[edge]]
-    point, of = _sample_lines(ends[:, 0], ends[:, 1], step)
+    point, of = sample_lines(ends[:, 0], ends[:, 1], step)
     return point, mesh.normal[facet[of]]
 
 
@@ -154,10 +154,10 @@ def _sample_inside(mesh: Mesh, rows: Ints, step: float) -> tuple[Floats, Ints]:
     length = np.linalg.norm(corner - corner[:, [1, 2, 0]], axis=2)
     first, each = length.argmin(axis=1), np.arange(len(rows))
     middle = 0.5 * (corner[each, first] + corner[each, (first + 1) % 3])
-    return _sample_lines(middle, corner[each, (first + 2) % 3], step)
+    return sample_lines(middle, corner[each, (first + 2) % 3], step)
 
 
-def _sample_lines(start: Floats, end: Floats, step: float) -> tuple[Floats, Ints]:
+def sample_lines(start: Floats, end: Floats, step: float) -> tuple[Floats, Ints]:
     """Return points (m, 3) at most ``step`` mm apart along lines from ``start`` to ``end`` (n, 3), one at
     least on each, and their lines (m,)."""
     count = np.maximum(np.ceil(np.linalg.norm(end - start, axis=1) / step), 1.0).astype(np.int64)
