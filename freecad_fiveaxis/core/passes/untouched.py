@@ -18,7 +18,7 @@ import scipy
 from freecad_fiveaxis.core.base.chunks import chunks
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.sentences import Area, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -161,7 +161,6 @@ def sample_lines(start: Floats, end: Floats, step: float) -> tuple[Floats, Ints]
     """Return points (m, 3) at most ``step`` mm apart along lines from ``start`` to ``end`` (n, 3), one at
     least on each, and their lines (m,)."""
     count = np.maximum(np.ceil(np.linalg.norm(end - start, axis=1) / step), 1.0).astype(np.int64)
-    of = np.repeat(np.arange(len(start)), count)
-    part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    of, part = number_runs(count)
     share = ((part + 0.5) / count[of])[:, None]
     return start[of] + share * (end - start)[of], of
