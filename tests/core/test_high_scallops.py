@@ -50,9 +50,9 @@ def test_two_passes_on_a_plane_leave_the_cusp_between_them():
     (one,) = reported(mesh, mesh.vertex[:, 0], levels)
     assert one.value == pytest.approx(cusp(0.5 * apart), rel=0.01) and one.limit == SCALLOP
     assert one.place[0] == pytest.approx(0.4 + 0.5 * apart, abs=0.02)
-    asked = math.sqrt((RADIUS + 1.02 * SCALLOP) ** 2 - RADIUS**2)  # mm from a pass
+    enough = math.sqrt((RADIUS + 1.02 * SCALLOP) ** 2 - RADIUS**2)  # mm from a pass
     area = float(re.search(r"at least ([\d.]+) mm2", one.text)[1])
-    assert area == pytest.approx(8.0 * (apart - 2.0 * asked), rel=0.03)
+    assert area == pytest.approx(8.0 * (apart - 2.0 * enough), rel=0.03)
     assert one.severity is Severity.NOTE
 
 
@@ -129,7 +129,7 @@ def test_fronts_that_meet_nearly_in_one_direction_are_none(degrees, turns):
     assert bool(turning(mesh, y * math.cos(half) - np.abs(x) * math.sin(half)).size) == turns
 
 
-def test_pieces_far_from_every_place_are_not_asked_and_change_nothing():
+def test_pieces_far_from_every_place_are_left_out_and_change_nothing():
     mesh = plate(30.0, 8.0, 121)
     region = Region(mesh, np.ones(len(mesh.face), bool), RADIUS, flat_interval(RADIUS, SCALLOP))
     contact = slice_field(mesh, mesh.vertex[:, 0], np.arange(0.35, 30.0, 0.7))
