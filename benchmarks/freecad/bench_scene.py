@@ -7,6 +7,8 @@ map     a map of rest material, to its bare facets
 labels  eight labels and two legends, one of them seen, over a ball, to the ball alone
 play    a machine of half a million facets, while it stands (all of them) and while it moves (its coarser
         copy), and an empty view, to its bare facets; and what a step takes besides drawing
+work    the same of a part of half a million facets, a mesh and a solid, over which and on the machine the
+        program is played; and, of the clock, how many pictures a second are seen while it plays
 
 A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no
 graphics card.
@@ -121,22 +123,27 @@ BODY = {"name": "housing", "carrier": "A", "file": "housing.stl"}
 
 
 def play_of(view, folder, side):
-    """Open the player on a machine with one body, on A, of 2 (side - 1)^2 facets; its panel and these."""
-    from freecad_fiveaxis import app
-    from freecad_fiveaxis.gui import play
-    from freecad_fiveaxis.gui.play import panel
-
+    """Open the player on a machine with one body, on A, of 2 side^2 facets; its panel and these."""
     mesh = surface(side)[0]
     write_stl(mesh, folder / "housing.stl")
     data = json.loads((machine_folder() / "trunnion_ac.fcm").read_text(encoding="utf-8"))
     data["fiveaxis"]["bodies"] = [BODY]
     (folder / "m.fcm").write_text(json.dumps(data), encoding="utf-8")
-    (folder / "p.ngc").write_text(BLOCKS, encoding="utf-8")
-    play.show(app.audit(FreeCAD.ActiveDocument, str(folder / "p.ngc"), str(folder / "m.fcm")))
-    shown = panel.current()
+    shown = player_of(folder, str(folder / "m.fcm"))
     shown.controls.machine.setChecked(True)
     QtCore.QCoreApplication.processEvents()
     return shown, mesh
+
+
+def player_of(folder, machine):
+    """Open the player of a small program; its panel."""
+    from freecad_fiveaxis import app
+    from freecad_fiveaxis.gui import play
+    from freecad_fiveaxis.gui.play import panel
+
+    (folder / "p.ngc").write_text(BLOCKS, encoding="utf-8")
+    play.show(app.audit(FreeCAD.ActiveDocument, str(folder / "p.ngc"), machine))
+    return panel.current()
 
 
 def steps(view, shown, draw):
@@ -179,6 +186,90 @@ def test_play(view, capsys, tmp_path):
         print_table("A machine that moves, to its bare facets", HEADS, rows)
         print("frames a second:", ", ".join(f"{name} {1.0 / s:.1f}" for name, s in found))
         print(f"all but drawing: {1e3 * step:.2f} ms a step; the copy is {copy.deviation:.2f} mm off at most")
+
+
+def mesh_part(folder):
+    """Add a mesh of 502,002 facets to the document."""
+    import Mesh
+
+    write_stl(surface(501)[0], folder / "part.stl")
+    FreeCAD.ActiveDocument.addObject("Mesh::Feature", "Part").Mesh = Mesh.Mesh(str(folder / "part.stl"))
+
+
+def solid_part(_folder):
+    """Add a solid of 518,400 facets to the document: eight rings of which OpenCASCADE meshes one."""
+    import Part
+
+    one, part = Part.makeTorus(30, 12), FreeCAD.ActiveDocument.addObject("Part::Feature", "Part")
+    part.ViewObject.Deviation, part.ViewObject.AngularDeflection = 0.1, 4.0
+    places = [FreeCAD.Vector(x, y, z) for x in (-50, 50) for y in (-50, 50) for z in (0, 30)]
+    part.Shape = Part.makeCompound([one.translated(place) for place in places])
+
+
+def frames_seen(view, shown, shape, seconds_long=4.0):
+    """What a picture takes while the program plays from its copy: the processor's time, and the clock's,
+    s."""
+    frames = Frames()
+    view.getSceneGraph().addChild(frames.node)
+    shown.controls.speed.setCurrentIndex(0)
+    shown.player.begin()
+    shown.play(True)
+    for long in (1.0, seconds_long):  # the first second fills the caches
+        frames.count, began, spent = 0, time.monotonic(), time.process_time()
+        while time.monotonic() - began < long:
+            QtCore.QCoreApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+    found = [passed / frames.count for passed in (time.process_time() - spent, time.monotonic() - began)]
+    assert shape.reduced and shown.playing
+    shown.play(False)
+    view.getSceneGraph().removeChild(frames.node)
+    return found
+
+
+@pytest.fixture
+def pieces(monkeypatch):
+    """How long each piece of the work at copies holds the window up, s."""
+    from freecad_fiveaxis.gui.play.document_copies import DocumentCopies
+
+    found, go_on = [], DocumentCopies._go_on
+
+    def timed(copies):
+        began = time.thread_time()
+        go_on(copies)
+        found.append(time.thread_time() - began)
+
+    monkeypatch.setattr(DocumentCopies, "_go_on", timed)
+    return found
+
+
+@pytest.mark.parametrize("add", [mesh_part, solid_part])
+def test_work(view, capsys, tmp_path, pieces, add):
+    add(tmp_path)
+    FreeCAD.ActiveDocument.recompute()
+    shown, found = player_of(tmp_path, "trunnion_ac"), []
+    while shown.stage.document.busy:
+        QtCore.QCoreApplication.processEvents()
+    (shape,) = shown.stage.document.shapes
+    view.viewIsometric()
+    for on_machine in (False, True):
+        shown.controls.machine.setChecked(on_machine)
+        shown.refresh()
+        view.fitAll()
+        where = "on the machine" if on_machine else "over the part"
+        for moving in (False, True):
+            shown.controls.slider.setSliderDown(moving)
+            spent = statistics.median(steps(view, shown, True))
+            assert shape.reduced == moving
+            found.append((f"{where}, {'moving' if moving else 'standing'}", spent))
+        shown.controls.slider.setSliderDown(False)
+        spent = frames_seen(view, shown, shape)
+        found += [(f"{where}, played{by}", s) for by, s in zip(("", ", by the clock"), spent, strict=True)]
+    copy = shape.copy
+    shown.reject()
+    with capsys.disabled():
+        rows = [(name, f"{1e3 * s:.1f}", f"{1.0 / s:.1f}") for name, s in found]
+        print_table(f"Play with a part of {shape.count} facets", ("scene", "ms a frame", "a second"), rows)
+        print(f"copy: {len(copy.mesh.face)} facets, {copy.deviation:.2f} mm off at most; made in")
+        print(f"{len(pieces)} pieces of {1e3 * max(pieces):.0f} ms at most, {sum(pieces):.2f} s together")
 
 
 def test_labels(view, capsys, monkeypatch):

@@ -181,18 +181,22 @@ def apply_setup(setup_map: Any) -> Any:
     return act(arguments.setup_map(setup_map))
 
 
-def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = None) -> Any:
+def compare(
+    toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = None, fixtures: Any = None
+) -> Any:
     """Return the path of a toolpath on several machines, with each cure, with and without tool-centre
     control; returns the rows.
 
     ``machines``: names or .fcm files; ``cures``: names, without any: all; ``tool_length`` mm, for machines
-    with a rotary head. Each row is a :class:`freecad_fiveaxis.core.studies.compare.Row`. Raises
-    FiveAxisError. The document stays as it is.
+    with a rotary head; ``fixtures``: objects of the document that hold the part, None: those of the
+    toolpath. Each row is a :class:`freecad_fiveaxis.core.studies.compare.Row`. Raises FiveAxisError. The
+    document stays as it is.
     """
     from . import arguments
     from .comparing import compare as act
 
-    return act(toolpath, arguments.names(machines), arguments.names(cures), tool_length).rows
+    names = arguments.names(machines), arguments.names(cures)
+    return act(toolpath, *names, tool_length, fixtures=fixtures).rows
 
 
 def recover(cl_file: Any, nc_file: Any, fcm_file: Any = None, **settings: Any) -> Any:

@@ -19,11 +19,12 @@ from freecad_fiveaxis.core.pipeline.settings import COMPARE, CureSettings, Setti
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.corrections import CURES
 
+from . import compared, results
 from .long_work import listening, run
 from .reports import write_report
 from .selection import SelectionError
 from .spreading import processes
-from .toolpath import Toolpath
+from .toolpath import Toolpath, check_fixtures
 
 
 def cures() -> tuple[str, ...]:
@@ -32,13 +33,32 @@ def cures() -> tuple[str, ...]:
 
 
 def settings_of(
-    toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None
-) -> Settings:
-    """Return what is asked of the core: the toolpath's settings without its own cure, on other machines.
-    Raises FiveAxisError."""
+    toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None,
+    fixtures: Sequence[Any] | None = None,
+) -> Settings:  # fmt: skip
+    """Return what is asked of the core: the toolpath's settings without its own cure, on other machines,
+    beside these ``fixtures``; None: its own. Raises FiveAxisError."""
+    return _settings_of(_task_of(toolpath, fixtures), machines, cures, tool_length)
+
+
+def _task_of(toolpath: Any, fixtures: Sequence[Any] | None) -> results.Task:
+    """Return what the toolpath asks of the core, beside other fixtures where some are given."""
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
         raise SelectionError(say("machines are compared on a toolpath: select a toolpath"), toolpath)
-    path: Settings = toolpath.Proxy.task(toolpath).settings
+    task: results.Task = toolpath.Proxy.task(toolpath)
+    if fixtures is None:
+        return task
+    held = check_fixtures(toolpath, fixtures)
+    solids = compared.find_held_parts(held, tuple(toolpath.WorkZero), toolpath.Proxy.seen)
+    named = tuple(compared.fixture_names(held).get("fixture", ()))
+    settings = replace(task.settings, gouge=replace(task.settings.gouge, fixture=named))
+    return replace(task, settings=settings, fixtures=solids)
+
+
+def _settings_of(
+    task: results.Task, machines: Sequence[str], cures: Sequence[str], tool_length: float | None
+) -> Settings:
+    path = task.settings
     given = {
         "machines": list(machines),
         "cures": list(cures),
@@ -52,11 +72,11 @@ def settings_of(
 
 def compare(
     toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None,
-    progress: Progress | None = None,
+    progress: Progress | None = None, fixtures: Sequence[Any] | None = None,
 ) -> trials.Comparison:  # fmt: skip
     """See :func:`freecad_fiveaxis.app.compare`; this gives the core's whole Comparison."""
-    settings = settings_of(toolpath, machines, cures, tool_length)
-    task = toolpath.Proxy.task(toolpath)
+    task = _task_of(toolpath, fixtures)
+    settings = _settings_of(task, machines, cures, tool_length)
 
     def work(progress: Progress) -> trials.Comparison:
         mesh, faces = whole.mesh_and_mask(progress)

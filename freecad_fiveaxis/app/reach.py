@@ -29,13 +29,19 @@ from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_tr
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.pipeline.settings import REACH, build_settings
 from freecad_fiveaxis.core.studies import study
+from freecad_fiveaxis.core.studies.reach_map import LONGER_HELPS
 from freecad_fiveaxis.core.studies.reach_map import ReachMap as Chart
-from freecad_fiveaxis.core.studies.reach_report import flank_remedy, name_shut, share_reached, verdict
+from freecad_fiveaxis.core.studies.reach_report import (
+    flank_remedy,
+    name_fixtures,
+    name_shut,
+    share_reached,
+    verdict,
+)
 from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 
 from . import compared, convert, results, selection, tessellation, wording
@@ -55,7 +61,8 @@ ENOUGH = 0.9
 AREAS = {
     Obstacle.NONE: "ReachableArea", Obstacle.CUTTER: "TighterThanCutter",
     Obstacle.FLANK: "FlankInTheWay", Obstacle.SHANK: "ShankInTheWay",
-    Obstacle.HOLDER: "HolderInTheWay", Obstacle.MACHINE: "MachineInTheWay", Obstacle.TABLE: "BelowTable",
+    Obstacle.HOLDER: "HolderInTheWay", Obstacle.FIXTURE: "FixtureInTheWay",
+    Obstacle.MACHINE: "MachineInTheWay", Obstacle.TABLE: "BelowTable",
     Obstacle.LIMITS: "BeyondMachine", Obstacle.HOLLOW: "InClosedHollow",
 }  # fmt: skip
 """The property that holds the area of each reason, in the order of the legend."""
@@ -117,11 +124,13 @@ class ReachMap(Proxy):
                 "{label} could not be computed: {why}", label=obj.Mesh.Label, why=obj.Mesh.getStatusString()
             )
             raise SelectionError(text, obj.Mesh.Label)
-        settings = build_settings(REACH, f"{obj.Mesh.Label}.stl", convert.options_of(obj, REACH))
+        fixtures = check_fixtures(obj)
+        options = convert.options_of(obj, REACH) | compared.fixture_names(fixtures)
+        settings = build_settings(REACH, f"{obj.Mesh.Label}.stl", options)
         most = math.radians(convert.plain(obj.LargestAxisAngle))
         settings = replace(settings, passes=replace(settings.passes, max_axis_angle=most))
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
-        solids = compared.find_held_parts(check_fixtures(obj), zero, self.seen)
+        solids = compared.find_held_parts(fixtures, zero, self.seen)
         return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
     @hide_trace
@@ -262,9 +271,7 @@ def find_map(obj: Any, progress: Progress | None = None) -> Last:
 
 def _compute_map(task: results.Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
     mesh, faces = task.mesh_and_mask(progress)
-    fixtures = [
-        Fixture(f"fixture {k}", convert.mesh_of(one.stl, progress)) for k, one in enumerate(task.fixtures)
-    ]
+    fixtures = task.mesh_fixtures(progress)
     most = task.settings.passes.max_axis_angle
     trial = study.try_reach(task.settings, progress, mesh, faces, fixtures, most or math.pi, executor)
     smaller = smaller_ball(mesh, trial.reacher, trial.found, ENOUGH, fixtures, progress)
@@ -294,8 +301,8 @@ def stick_out(chart: Chart) -> tuple[float, float]:
 
 
 def compute_held_area(chart: Chart) -> float:
-    """mm2 where holder or machine are in the way, and a tool that sticks out farther may help."""
-    return chart.area_of(Obstacle.HOLDER) + chart.area_of(Obstacle.MACHINE)
+    """mm2 where holder, fixtures or machine are in the way, and a tool that sticks out farther may help."""
+    return sum(chart.area_of(one) for one in LONGER_HELPS)
 
 
 def radius_too_large(found: Last) -> float:
@@ -309,9 +316,22 @@ def advice(found: Last) -> list[Sentence]:
     flank in the way, and where the tool cannot be withdrawn: a sentence each."""
     chart = found.chart
     held, (step, area) = compute_held_area(chart), stick_out(chart)
-    by_machine = chart.area_of(Obstacle.MACHINE) > 0.0
+    by_machine, by_fixture = (chart.area_of(one) > 0.0 for one in (Obstacle.MACHINE, Obstacle.FIXTURE))
     sentences = []
-    if by_machine and step > 0.0:
+    if by_fixture and step > 0.0:
+        sentences.append(say(
+            "Let the tool stick out {step} farther and it reaches {area} of the {held} where holder, fixture "
+            "or machine are in the way.",
+            step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),
+        ))  # fmt: skip
+    elif by_fixture:
+        sentences.append(
+            say(
+                "Where holder, fixture or machine are in the way, no tool that sticks out up to 80 mm "
+                "farther helps."
+            )
+        )
+    elif by_machine and step > 0.0:
         sentences.append(say(
             "Let the tool stick out {step} farther and it reaches {area} of the {held} where holder or "
             "machine are in the way.",
@@ -343,7 +363,7 @@ def advice(found: Last) -> list[Sentence]:
         )
     if flank := chart.area_of(Obstacle.FLANK):
         sentences.append(flank_remedy(flank))
-    return [*sentences, *name_shut(chart)]
+    return [*sentences, *name_fixtures(chart), *name_shut(chart)]
 
 
 def _show(obj: Any, found: Last) -> None:

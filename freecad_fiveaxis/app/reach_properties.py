@@ -73,6 +73,12 @@ PROPERTIES = (
             "holder"), 0.0, RESULT,
     ),
     Property(
+        "FixtureInTheWay", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Surface where the part would let the tool, but fixtures are in "
+            "the way"),
+        0.0, RESULT,
+    ),
+    Property(
         "MachineInTheWay", "App::PropertyArea", "Result",
         QT_TRANSLATE_NOOP("App::Property", "Surface where the tool would be free, but bodies of the machine "
             "are in the way"),
@@ -97,8 +103,8 @@ PROPERTIES = (
     ),
     Property(
         "StickOut", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where holder or "
-            "machine are in the way"),
+        QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where holder, "
+            "fixture or machine are in the way"),
         0.0, RESULT,
     ),
     Property(
@@ -113,8 +119,8 @@ PROPERTIES = (
     ),
     Property(
         "Advice", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What would help where holder, machine or cutter are in the way, "
-            "in plain sentences"),
+        QT_TRANSLATE_NOOP("App::Property", "What would help where holder, fixture, machine or cutter are "
+            "in the way, in plain sentences"),
         "", RESULT,
     ),
     Property(

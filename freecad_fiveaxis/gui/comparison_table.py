@@ -77,6 +77,8 @@ class Table:
         self.verdict.setText(wording.localize(verdict(comparison.rows, comparison.settings.proof.tolerance)))
         self.error.setText("")
         self.table.setSortingEnabled(False)
+        beside = any(row.fixtures is not None for row in comparison.rows)
+        self.table.setColumnHidden(len(heads()) - 1, not beside)
         self.table.setRowCount(len(comparison.rows))
         for at, row in enumerate(comparison.rows):
             for column, cell in enumerate(cells(row)):
@@ -142,6 +144,7 @@ def heads() -> list[str]:
         translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"),
         translate("FiveAxis", "Peak of 1st rotary"),
         translate("FiveAxis", "Peak of 2nd rotary"), translate("FiveAxis", "Limits"),
+        translate("FiveAxis", "Fixtures"),
     ]  # fmt: skip
 
 
@@ -158,7 +161,7 @@ def cells(row: Any) -> list[Cell]:
     if row.problem:
         reason = Cell(translate("FiveAxis", "impossible: {why}").format(why=wording.localize(row.problem)))
         reason.setToolTip(wording.localize(row.problem))
-        return [*named, *(Cell("–") for _ in range(7)), reason]
+        return [*named, *(Cell("–") for _ in range(7)), reason, Cell("–")]
     linear = max(row.peak_rate[:3])
     within, ends = translate("FiveAxis", "within"), translate("FiveAxis", "only at block ends")
     over = translate("FiveAxis", "over by {length}").format(length=length_text(row.over))
@@ -170,11 +173,33 @@ def cells(row: Any) -> list[Cell]:
         Cell(f"{length_text(linear)}/min", linear),
         *(_turning(row, column) for column in (3, 4)),
         Cell(over if row.over > LEAST_OVER else within, row.over),
+        _beside(row),
     ]  # fmt: skip
 
 
 LEAST_OVER = 5e-4
 """mm; less beyond a limit than this is none, as in the core's own table."""
+
+
+def _beside(row: Any) -> Cell:
+    """Return how deep the tool goes into which fixture, or how near it comes; sorted by the room left."""
+    from freecad_fiveaxis.app import wording
+    from freecad_fiveaxis.core.studies.compare.beside_fixtures import find_worst_meeting
+
+    from .scene.units import length_text
+
+    met = find_worst_meeting(row.fixtures)
+    if met is None:
+        return Cell("–") if row.fixtures is None else Cell(translate("FiveAxis", "free"), math.inf)
+    words = translate("FiveAxis", "{length} in {fixture}")
+    if met.room >= 0.0:
+        words = translate("FiveAxis", "{length} from {fixture}")
+    elif math.isinf(met.room):
+        words = translate("FiveAxis", "wholly in {fixture}")
+    length = "" if math.isinf(met.room) else length_text(abs(met.room))
+    cell = Cell(words.format(length=length, fixture=met.fixture), met.room)
+    cell.setToolTip(wording.localize(met.found.text))
+    return cell
 
 
 def _turning(row: Any, column: int) -> Cell:

@@ -29,6 +29,7 @@ def reason_text(obstacle: Obstacle) -> str:
         Obstacle.FLANK: translate("FiveAxis", "cutter's flank in the way"),
         Obstacle.SHANK: translate("FiveAxis", "shank in the way"),
         Obstacle.HOLDER: translate("FiveAxis", "holder in the way"),
+        Obstacle.FIXTURE: translate("FiveAxis", "fixture in the way"),
         Obstacle.MACHINE: translate("FiveAxis", "machine in the way"),
         Obstacle.TABLE: translate("FiveAxis", "below the table"),
         Obstacle.LIMITS: translate("FiveAxis", "beyond the machine's limits"),

@@ -428,6 +428,10 @@
         <translation>Abstand zu Spannmitteln</translation>
     </message>
     <message>
+        <source>Fixture In The Way</source>
+        <translation>Spannmittel im Weg</translation>
+    </message>
+    <message>
         <source>Fixtures</source>
         <translation>Spannmittel</translation>
     </message>
@@ -1136,8 +1140,8 @@
         <translation>So weit darf sich das Werkzeug gegen Z des Werkstücks neigen; 180°: so weit die Maschine schwenkt</translation>
     </message>
     <message>
-        <source>So much farther the tool should stick out where holder or machine are in the way</source>
-        <translation>So viel weiter sollte das Werkzeug auskragen, wo Halter oder Maschine im Weg sind</translation>
+        <source>So much farther the tool should stick out where holder, fixture or machine are in the way</source>
+        <translation>Um so viel sollte das Werkzeug weiter auskragen, wo Halter, Spannmittel oder Maschine im Weg sind</translation>
     </message>
     <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
@@ -1230,6 +1234,10 @@
     <message>
         <source>Surface where the cutter's end would enter the part, however it leans</source>
         <translation>Fläche, bei der schon das Ende des Fräsers ins Werkstück dränge, wie auch immer er geneigt ist</translation>
+    </message>
+    <message>
+        <source>Surface where the part would let the tool, but fixtures are in the way</source>
+        <translation>Oberfläche, an der das Werkstück das Werkzeug ließe, aber Spannmittel im Weg sind</translation>
     </message>
     <message>
         <source>Surface where the tool would be free, but bodies of the machine are in the way</source>
@@ -1516,8 +1524,8 @@
         <translation>Was geschieht, wo Fräser, Schaft oder Halter in das Werkstück eindringen würde</translation>
     </message>
     <message>
-        <source>What would help where holder, machine or cutter are in the way, in plain sentences</source>
-        <translation>Was hülfe, wo Halter, Maschine oder Fräser im Weg sind, in einfachen Sätzen</translation>
+        <source>What would help where holder, fixture, machine or cutter are in the way, in plain sentences</source>
+        <translation>Was hülfe, wo Halter, Spannmittel, Maschine oder Fräser im Weg sind, in einfachen Sätzen</translation>
     </message>
     <message>
         <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve (or these, a ; between two)</source>
@@ -2971,6 +2979,10 @@
         <translation>Kleinster Zeilenabstand</translation>
     </message>
     <message>
+        <source>Solids and meshes of the document that hold the part: each program is proven against them</source>
+        <translation>Körper und Netze des Dokuments, die das Werkstück halten: jedes Programm wird gegen sie geprüft</translation>
+    </message>
+    <message>
         <source>Spacing by</source>
         <translation>Abstand nach</translation>
     </message>
@@ -3831,6 +3843,10 @@
         <translation>feste Achse</translation>
     </message>
     <message>
+        <source>fixture in the way</source>
+        <translation>Spannmittel im Weg</translation>
+    </message>
+    <message>
         <source>flat end mill</source>
         <translation>Schaftfräser</translation>
     </message>
@@ -3841,6 +3857,10 @@
     <message>
         <source>frames with locked rotary axes (3+2)</source>
         <translation>Anstellungen mit geklemmten Rundachsen (3+2)</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
     </message>
     <message>
         <source>free of the part (auto)</source>
@@ -4267,6 +4287,10 @@
         <translation>wo der Werkstücknullpunkt stand</translation>
     </message>
     <message>
+        <source>wholly in {fixture}</source>
+        <translation>ganz in {fixture}</translation>
+    </message>
+    <message>
         <source>within</source>
         <translation>eingehalten</translation>
     </message>
@@ -4367,6 +4391,14 @@
     <message>
         <source>{length} (centre)</source>
         <translation>{length} (Mitte)</translation>
+    </message>
+    <message>
+        <source>{length} from {fixture}</source>
+        <translation>{length} vor {fixture}</translation>
+    </message>
+    <message>
+        <source>{length} in {fixture}</source>
+        <translation>{length} tief in {fixture}</translation>
     </message>
     <message>
         <source>{letter} line, {way}</source>
@@ -4880,6 +4912,10 @@
         <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
+        <source>In 1 of {all} ways the tool hits a fixture.</source>
+        <translation>Auf 1 von {all} Wegen trifft das Werkzeug ein Spannmittel.</translation>
+    </message>
+    <message>
         <source>In NC line {line} the program ends, and {function} is still on: the next one may begin with it. Give {off} before the end.</source>
         <translation>In NC-Zeile {line} endet das Programm, und {function} ist noch an: Das nächste kann damit beginnen. Vor dem Ende {off} angeben.</translation>
     </message>
@@ -4980,6 +5016,10 @@
         <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
     </message>
     <message>
+        <source>In {count} of {all} ways the tool hits a fixture.</source>
+        <translation>Auf {count} von {all} Wegen trifft das Werkzeug ein Spannmittel.</translation>
+    </message>
+    <message>
         <source>In {count} rapids it is not proven that the tool keeps {allowance} off the faces to avoid on every way of independent axes, the first in NC line {line}. Drive one group of axes after the other.</source>
         <translation>In {count} Eilgängen ist nicht bewiesen, dass das Werkzeug auf jedem Weg unabhängiger Achsen {allowance} von den ausgesparten Flächen wegbleibt, zuerst in NC-Zeile {line}. Fahren Sie eine Gruppe von Achsen nach der anderen.</translation>
     </message>
@@ -5046,6 +5086,10 @@
     <message>
         <source>Let the tool stick out {step} farther and it reaches {area} of the {held} where holder or machine are in the way.</source>
         <translation>Lassen Sie das Werkzeug {step} weiter auskragen, dann erreicht es {area} von den {held}, bei denen Halter oder Maschine im Weg sind.</translation>
+    </message>
+    <message>
+        <source>Let the tool stick out {step} farther and it reaches {area} of the {held} where holder, fixture or machine are in the way.</source>
+        <translation>Lassen Sie das Werkzeug {step} weiter auskragen, dann erreicht es {area} von den {held}, bei denen Halter, Spannmittel oder Maschine im Weg sind.</translation>
     </message>
     <message>
         <source>Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.</source>
@@ -5152,6 +5196,10 @@
         <translation>Nicht bekannt</translation>
     </message>
     <message>
+        <source>Nothing here holds {tolerance} within the limits of its machine and stays out of the fixtures.</source>
+        <translation>Nichts hält hier {tolerance} in den Grenzen seiner Maschine ein und bleibt aus den Spannmitteln.</translation>
+    </message>
+    <message>
         <source>Nothing here holds {tolerance} within the limits of its machine.</source>
         <translation>Nichts hier hält {tolerance} innerhalb der Grenzen seiner Maschine ein.</translation>
     </message>
@@ -5222,6 +5270,10 @@
     <message>
         <source>On {machine} with correction {cure} the path cannot be driven: {problem}</source>
         <translation>Auf {machine} mit Korrektur {cure} kann der Werkzeugweg nicht gefahren werden: {problem}</translation>
+    </message>
+    <message>
+        <source>On {machine} with correction {cure}: {what}</source>
+        <translation>Auf {machine} mit Korrektur {cure}: {what}</translation>
     </message>
     <message>
         <source>One shape of {name} moves with the tool's length; it is taken for the tool, not for a body.</source>
@@ -5852,6 +5904,10 @@
         <translation>Wo Halter oder Maschine im Weg sind, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
     </message>
     <message>
+        <source>Where holder, fixture or machine are in the way, no tool that sticks out up to 80 mm farther helps.</source>
+        <translation>Wo Halter, Spannmittel oder Maschine im Weg sind, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
+    </message>
+    <message>
         <source>Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.</source>
         <translation>Wo der Fräser zu groß ist, passt eine Kugel von {diameter}, deren Radius um {more} kleiner ist, auf 90 % dieser Fläche.</translation>
     </message>
@@ -5906,6 +5962,10 @@
     <message>
         <source>With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured along the tool.</source>
         <translation>Mit {letter} auf {first} und {other} auf {second} zeigt das Werkzeug auf das Kreuz: seine Spitze ist {distance} davon entfernt, entlang des Werkzeugs gemessen.</translation>
+    </message>
+    <message>
+        <source>Without the fixture {fixture} the tool reaches about {area} more.</source>
+        <translation>Ohne das Spannmittel {fixture} erreicht das Werkzeug etwa {area} mehr.</translation>
     </message>
     <message>
         <source>Words count from the work zero: is {origin} where it stood on the machine? Else move it ({setup} finds a place)</source>
@@ -6738,6 +6798,10 @@
     <message>
         <source>fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1</source>
         <translation>die feste Werkzeugachse {fixed} hat keine Richtung; drei Zahlen angeben, wie 0,0,1</translation>
+    </message>
+    <message>
+        <source>fixture in the way</source>
+        <translation>Spannmittel im Weg</translation>
     </message>
     <message>
         <source>fixtures that were not given, other bodies of the machine, and stock that is still there</source>
@@ -10216,6 +10280,10 @@
         <translation>{option} {value}</translation>
     </message>
     <message>
+        <source>{option}: {fixture} stands in the part, more than {depth} deep at {at}; check its place and its units</source>
+        <translation>{option}: {fixture} steht im Werkstück, mehr als {depth} tief bei {at}; Ort und Einheiten prüfen</translation>
+    </message>
+    <message>
         <source>{output} does not end in {suffix}, as machine files do; name it so</source>
         <translation>{output} endet nicht auf {suffix} wie Maschinendateien; so benennen</translation>
     </message>
@@ -10230,6 +10298,10 @@
     <message>
         <source>{part} is no number</source>
         <translation>{part} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{part} with {finish}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none in its panel.</source>

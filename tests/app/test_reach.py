@@ -122,6 +122,19 @@ def test_a_toolpath_gives_its_machine_tool_part_and_fixtures(doc, slot):
     assert held.Fixtures == [clamp]
     lost = free.ReachableArea.Value - held.ReachableArea.Value
     assert lost >= 8.0 * 20.0, "the floor below the clamp, but for what is beside the walls"
+    assert held.FixtureInTheWay.Value == pytest.approx(lost) and free.FixtureInTheWay.Value == 0.0
+    assert "Without the fixture Clamp the tool reaches about" in held.Advice
+    assert "holder, fixture or machine" in held.Advice and "fixture" not in free.Advice
+
+
+def test_a_fixture_that_stands_in_the_part_is_refused_and_nothing_is_made(doc, slot):
+    names = [one.Name for one in doc.Objects]
+    pin = doc.addObject("Part::Box", "Pin")
+    pin.Placement.Base = FreeCAD.Vector(10, 70, 5)
+    doc.recompute()
+    with pytest.raises(FiveAxisError, match="Pin stands in the part"):
+        app.reach_map(floor(slot), **TOOL, fixtures=[pin])
+    assert [one.Name for one in doc.Objects] == [*names, "Pin"]
 
 
 def test_an_axis_that_may_lean_less_reaches_less(slot):

@@ -178,6 +178,21 @@ def test_machines_are_compared_on_the_path_around_what_holds_the_part(path, jaw)
     assert around[0].blocks == path.Blocks and not around[0].problem and len(around) == len(before)
 
 
+def test_what_is_compared_is_proven_against_fixtures_that_need_not_be_the_paths_own(path, jaw):
+    """Without them nothing is said of fixtures; beside others than its own the tool path stays as it is."""
+    assert {row.fixtures for row in app.compare(path, ["trunnion_ac"], ["none"])} == {None}
+    before = path.Fixtures, path.Fingerprint, path.State
+    rows = app.compare(path, ["trunnion_ac"], ["none"], fixtures=[jaw])
+    assert all(row.fixtures is not None and not row.problem for row in rows)
+    assert (path.Fixtures, path.Fingerprint, path.State) == before
+    path.Fixtures = [jaw]
+    path.recompute()
+    assert app.compare(path, ["trunnion_ac"], ["none"]) == rows
+    assert {row.fixtures for row in app.compare(path, ["trunnion_ac"], ["none"], fixtures=[])} == {None}
+    with pytest.raises(SelectionError, match="is the part that is milled"):
+        app.compare(path, ["trunnion_ac"], ["none"], fixtures=[path.Mesh.Base[0]])
+
+
 def test_what_cannot_be_compared_says_why(path):
     for machines, words in (([], "no machines"), (["no_such"], "no_such")):
         with pytest.raises(Exception, match=words):

@@ -10,6 +10,7 @@ from freecad_fiveaxis.core.geometry.reduced import (
     ENOUGH,
     SMALL,
     cluster_vertices,
+    reduce_facets,
     reduce_mesh,
     share_facets,
 )
@@ -87,6 +88,17 @@ def distances(mesh, points):
     share = np.array([(i, j, n - i - j) for i in range(n + 1) for j in range(n + 1 - i)]) / n
     samples = np.einsum("sk,fkx->fsx", share, mesh.vertex[mesh.face]).reshape(-1, 3)
     return cKDTree(samples).query(points)[0]
+
+
+def test_facets_that_are_no_mesh_yet_are_reduced_to_the_same_copy(ball):
+    """With vertices that none uses, far off, and facets without area among them."""
+    loose = np.concatenate([[(900.0, 0.0, 0.0)], ball.vertex, [(0.0, 0.0, -900.0)]])
+    face = np.concatenate([ball.face + 1, [[1, 1, 2]] * 5])
+    copy, same = reduce_facets(loose, face, 4000), reduce_mesh(ball, 4000)
+    assert np.allclose(copy.mesh.vertex, same.mesh.vertex) and np.array_equal(copy.mesh.face, same.mesh.face)
+    assert copy.deviation == pytest.approx(same.deviation)
+    check_depth(copy.mesh.vertex, copy.deviation)
+    assert reduce_facets(loose, face, len(face)) is None and reduce_facets(loose, face, 0) is None
 
 
 def test_what_is_small_enough_or_leaves_nothing_has_no_copy(ball):

@@ -188,3 +188,37 @@ def test_without_a_toolpath_the_command_is_disabled(doc, tool_button, until):
     doc.recompute()
     until(lambda: tool_button("FiveAxis_Setup").isEnabled(), 20000, "Setup enabled")
     assert not tool_button("FiveAxis_Compare").isEnabled()
+
+
+def test_fixtures_of_the_path_are_ticked_and_what_is_ticked_stands_in_the_table_alone(path, doc, tree_row, press, field, click, until,
+                                                                                      window, panel_button, screenshot):  # fmt: skip
+    """A post over the dome, half a mm above its top: the path has it as a fixture, and is not lifted out of it.
+    Untick it, and the table says nothing of fixtures; the path keeps it."""
+    post = doc.addObject("Part::Box", "Post")
+    post.Length, post.Width, post.Height = 10, 10, 40
+    post.Placement.Base = FreeCAD.Vector(-5, -5, 20.5)
+    path.Fixtures, path.Gouge = [post], "off"
+    doc.recompute()
+    before = path.Fingerprint
+    tree_row(path.Label)
+    press("FiveAxis_Compare")
+    editor = field("fixtures")
+    assert [editor.item(at).text() for at in range(editor.count())] == ["Post"]
+    assert editor.item(0).checkState() == QtCore.Qt.Checked
+    tick(until, field("cures"), click, "none")
+    click(field("calculate"))
+    table = until(
+        lambda: window.findChild(QtWidgets.QTableWidget, "FiveAxisComparisonTable"), 60000, "a table"
+    )
+    last = table.columnCount() - 1
+    until(lambda: table.rowCount() == 2 and not table.isColumnHidden(last), 60000, "a column of fixtures")
+    expected = comparing.compare(path, ["trunnion_ac"], ["none"]).rows
+    for row, core in enumerate(expected):
+        text = table.item(row, last).text()
+        assert "in Post" in text and "Post" in core.fixtures[0].text, "as the core says"
+    screenshot("compare_fixtures")
+    tick(until, editor, click)
+    click(field("calculate"))
+    until(lambda: table.isColumnHidden(last), 60000, "no column of fixtures")
+    panel_button("Close")
+    assert path.Fixtures == [post] and path.Fingerprint == before

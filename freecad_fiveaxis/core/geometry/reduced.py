@@ -67,16 +67,34 @@ def reduce_mesh(mesh: Mesh, most: int) -> Reduced | None:
     the mesh has no more itself, or where no copy keeps a facet."""
     if len(mesh.face) <= most:
         return None
-    side = float(np.max(mesh.box[1] - mesh.box[0]))
-    cell, best, found = np.sqrt(3.0 * float(mesh.area.sum()) / max(most, 1)), None, 0
+    return _search(mesh.vertex, mesh.face, float(mesh.area.sum()), most)
+
+
+def reduce_facets(vertex: Floats, face: Ints, most: int) -> Reduced | None:
+    """Return the same of vertices (v, 3) mm and rows of them (f, 3), of which no mesh need be made first:
+    facets without area and vertices that none uses may be among them."""
+    if len(face) <= most:
+        return None
+    used = np.zeros(len(vertex), np.bool_)
+    used[face] = True
+    vertex, face = vertex[used], (np.cumsum(used) - 1)[face]
+    a, b, c = vertex[face].transpose(1, 0, 2)
+    area = 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+    return _search(vertex, face, area, most)
+
+
+def _search(vertex: Floats, face: Ints, area: float, most: int) -> Reduced | None:
+    """Return the best of some sizes of the cells. ``area`` mm2: of all facets."""
+    side = float(np.ptp(vertex, axis=0).max())
+    cell, best, found = np.sqrt(3.0 * area / max(most, 1)), None, 0
     for _ in range(ROUNDS):
         cell = float(np.clip(cell, FINEST * side, side))
-        vertex, face = cluster_vertices(mesh.vertex, mesh.face, cell)
-        if found < len(face) <= most:
-            best, found = (vertex, face, cell), len(face)
-        if ENOUGH * most <= len(face) <= most:
+        mean, kept = cluster_vertices(vertex, face, cell)
+        if found < len(kept) <= most:
+            best, found = (mean, kept, cell), len(kept)
+        if ENOUGH * most <= len(kept) <= most:
             break
-        cell *= np.sqrt(max(len(face), 1) / (0.5 * (1.0 + ENOUGH) * max(most, 1)))
+        cell *= np.sqrt(max(len(kept), 1) / (0.5 * (1.0 + ENOUGH) * max(most, 1)))
     return None if best is None else _make(*best)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is in the way of a tool that touches the surface at a place with an axis: the machine's limits, the
-table, the part, or bodies of the machine."""
+table, the part, fixtures, or bodies of the machine."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import dot
-from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import axes_within_limits, least_up
 from freecad_fiveaxis.core.tool import Cutter
@@ -54,8 +55,9 @@ class Obstacle(IntEnum):
     FLANK = 4
     SHANK = 5
     HOLDER = 6
-    MACHINE = 7
-    NONE = 8
+    FIXTURE = 7
+    MACHINE = 8
+    NONE = 9
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +66,8 @@ class Reacher:
     the work frame, below which no part of the tool may be, None where it is not known. ``kinematics`` None:
     any axis will do; ``most`` rad: the largest angle from +Z that is wanted; ``far`` mm: so far along its
     axis it must be free to be drawn out. ``machine``: its bodies, None: it has none, or they are not looked
-    at."""
+    at. ``fixtures``: those, work frame, that are asked by themselves once the part is not in the way; None:
+    there are none, or what is asked holds part and fixtures together."""
 
     cutter: Cutter
     shank: tuple[tuple[float, float], ...] = ()
@@ -75,6 +78,7 @@ class Reacher:
     most: float = math.pi
     far: float = 0.0
     machine: MachineInPose | None = None
+    fixtures: Mesh | None = None
 
     @property
     def body(self) -> Body:
@@ -117,6 +121,7 @@ def obstacles(
         (Obstacle.CUTTER, enters_with(CUTTER)),
         (Obstacle.SHANK, enters_with(SHANK)),
         (Obstacle.HOLDER, enters_with(HOLDER)),
+        (Obstacle.FIXTURE, lambda rows: _hits_fixture(reacher, tip[rows], axis[rows])),
         (Obstacle.MACHINE, lambda rows: _hits_machine(reacher, tree, tip[rows], axis[rows])),
     )
     for obstacle, hit in checks:
@@ -134,6 +139,17 @@ def stick_out_farther(reacher: Reacher, more: float) -> Reacher:
     if longer.machine is None:
         return longer
     return replace(longer, machine=longer.machine.longer(length - stack.stick_out, longer.body))
+
+
+def _hits_fixture(reacher: Reacher, tip: Floats, axis: Floats) -> Bools:
+    """Whether (n,) tool or spindle go into a fixture with the tip (n, 3) mm and unit axis (n, 3) there."""
+    if reacher.fixtures is None or not len(tip):
+        return np.zeros(len(tip), np.bool_)
+    spindle = Body(()) if reacher.machine is None else reacher.machine.spindle
+    if reacher.far:
+        spindle = extend_way_out(spindle, reacher.far)
+    stack = Body((*reacher.body.pieces, *spindle.pieces))
+    return enters(stack, facet_tree(reacher.fixtures), tip, axis, reacher.limit)
 
 
 def _hits_machine(reacher: Reacher, tree: FacetTree, tip: Floats, axis: Floats) -> Bools:

@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge.leave_out import leave_out
 from freecad_fiveaxis.core.gouge.left_alone import lead_over_others
-from freecad_fiveaxis.core.gouge.lift import AIM
+from freecad_fiveaxis.core.gouge.lift import AIM, Lifted
 from freecad_fiveaxis.core.gouge.lift import lift_path as lift_free
 from freecad_fiveaxis.core.links.lead_in import lead_in
 from freecad_fiveaxis.core.links.near_links import LOCKED, MOST_TURN, stay_near
@@ -98,17 +98,20 @@ def leave_out_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tu
 
 def lift_path(context: MillContext, linked: LinkedPath) -> LinkedPath:
     """Lift the tool out of the part, where the settings ask for that."""
-    settings = context.settings
-    if settings.gouge.gouge not in ("lift", "tilt"):
+    if context.settings.gouge.gouge not in ("lift", "tilt"):
         return linked
-    body, tree = tool_body(settings), facet_tree(context.obstacles)
-    driven, above = tip_to_driven(settings), tip_to_surface(settings)
-    aside = rows_left_aside(linked.path, settings.cutter.cutter)
-    lifted = lift_free(
-        linked.path, tree, body, settings.proof.tolerance, driven, context.progress, above, aside
-    )
+    lifted = lift_rows(context, linked.path)
     cured, entering = linked.cured or bool((lifted.lift > 0.0).any()), max(linked.entering, lifted.left)
     return replace(linked, path=lifted.path, cured=cured, entering=entering)
+
+
+def lift_rows(context: MillContext, path: CLPath) -> Lifted:
+    """Lift the tool along its axis where it would enter part or fixtures."""
+    settings = context.settings
+    body, tree = tool_body(settings), facet_tree(context.obstacles)
+    driven, above = tip_to_driven(settings), tip_to_surface(settings)
+    aside = rows_left_aside(path, settings.cutter.cutter)
+    return lift_free(path, tree, body, settings.proof.tolerance, driven, context.progress, above, aside)
 
 
 def keep_links_near(context: MillContext, linked: LinkedPath) -> LinkedPath:

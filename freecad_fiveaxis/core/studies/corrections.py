@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.linearize import linearize
 from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS, AxisCorrection
-from freecad_fiveaxis.core.pipeline.build_path import link_contacts
+from freecad_fiveaxis.core.pipeline.build_path import lift_rows, link_contacts
 from freecad_fiveaxis.core.pipeline.options import axis_corrections
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
@@ -71,7 +71,9 @@ def _correct_axes(
     options = axis_corrections(context)
     offset, given = correction.rows(draft.offset, draft.axis, options)
     axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
-    return solve_path(link_contacts(context, offset, axis), where, progress)
+    led = link_contacts(context, offset, axis)
+    lifts = draft.fixtures and draft.settings.gouge.gouge in ("lift", "tilt")
+    return solve_path(lift_rows(context, led).path if lifts else led, where, progress)
 
 
 CURES: Mapping[str, Callable[[PostedProgram], Cure]] = {

@@ -7,9 +7,10 @@ place     the surface is divided into triangles no larger than a spacing; each s
           ever farther from it.
 obstacle  what ends the tries: the one that the luckiest axis met. An axis first has to be within the
           machine's limits, the tool then above the table, then cutter, shank and holder out of the part, then
-          bodies of the machine out of the way. Of the cutter its end is asked first: where that enters, the
-          place is tighter than the cutter; where only what is above it does, the flank is in the way. What
-          looks into a closed hollow is not tried: the tool may stand freely in there, but never gets in.
+          all of it out of the fixtures, then bodies of the machine out of the way. Of the cutter its end is
+          asked first: where that enters, the place is tighter than the cutter; where only what is above it
+          does, the flank is in the way. What looks into a closed hollow is not tried: the tool may stand
+          freely in there, but never gets in.
 end       of a ball, or of a cutter that ends in one, that ball; of others as much from the bottom up as they
           are wide.
 
@@ -81,7 +82,10 @@ TRIED = 1000
 """Places, about, at which a tool that sticks out farther is tried; and as many at which its way out is."""
 
 LONGER = (5.0, *LONGER_BY)
-"""mm: so much farther the tool is tried to stick out where only holder or machine are in the way."""
+"""mm: so much farther the tool is tried to stick out where LONGER_HELPS."""
+
+LONGER_HELPS = (Obstacle.HOLDER, Obstacle.FIXTURE, Obstacle.MACHINE)
+"""What a tool that sticks out farther may get past."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,9 +93,10 @@ class ReachMap:
     """Of each of k places: ``point`` (k, 3) mm, ``facet`` (k,), ``area`` (k,) mm2; ``obstacle`` (k,) of
     :class:`Obstacle`; ``tilt`` (k,) rad and unit ``axis`` (k, 3) of the first axis that is free, NaN where
     there is none. ``longer``: mm that the tool would have to stick out farther, and mm2 that it reaches then
-    besides; ``spacing`` mm. ``shut``: mm2, an estimate, where the tool is free but cannot be drawn out along
-    any axis tried; ``standing``: mm2 it reaches of what the part stands on, where ``mill`` leaves that
-    out."""
+    besides; ``without``: the name of each fixture that is in the way, and mm2, an estimate, that the tool
+    reaches besides where it alone is taken away; ``spacing`` mm. ``shut``: mm2, an estimate, where the tool
+    is free but cannot be drawn out along any axis tried; ``standing``: mm2 it reaches of what the part stands
+    on, where ``mill`` leaves that out."""
 
     point: Floats
     facet: Ints
@@ -103,6 +108,7 @@ class ReachMap:
     spacing: float
     shut: float = 0.0
     standing: float = 0.0
+    without: tuple[tuple[str, float], ...] = ()
 
     def area_of(self, obstacle: Obstacle) -> float:
         """mm2."""
@@ -114,18 +120,18 @@ def reach_map(
     fixtures: Sequence[Fixture] = (),
     executor: Executor | None = None, keep_off: KeepOff | None = None,
 ) -> ReachMap:  # fmt: skip
-    """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as
-    the part is. ``keep_off``: faces to avoid on which there is an allowance; places that the cutter cannot
-    touch for it are not in the map. ``executor``: whose workers do a portion of the places each, with the
-    same result to the last bit; None: all is done here, which is quicker for a part of a few thousand places.
-    Raises SettingsError for sizes that no tool has."""
+    """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way
+    too. ``keep_off``: faces to avoid on which there is an allowance; places that the cutter cannot touch for
+    it are not in the map. ``executor``: whose workers do a portion of the places each, with the same result
+    to the last bit; None: all is done here, which is quicker for a part of a few thousand places. Raises
+    SettingsError for sizes that no tool has."""
     spacing = _spacing(mesh, reacher.cutter, facets)
     point, facet, area = surface_samples(mesh, spacing, facets)
-    joined = join_obstacles(mesh, fixtures)
+    reacher, solid = with_fixtures(reacher, fixtures), mesh
     if keep_off is not None:
-        some, joined = keep_off.allows(mesh, point, facet), keep_off.obstacle(joined)
+        some, solid = keep_off.allows(mesh, point, facet), keep_off.obstacle(mesh)
         point, facet, area = point[some], facet[some], area[some]
-    ground, normal, tilts = Ground(reacher, joined), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
+    ground, normal, tilts = Ground(reacher, solid), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
     open_ = np.flatnonzero(~find_hollow_facets(mesh)[facet])
     parts = list(_split_places(point[open_], normal[open_], BATCH if executor else len(open_)))
     tried = spread(
@@ -138,7 +144,7 @@ def reach_map(
         [len(one) for one in parts],
     )
     obstacle, tilt, axis = _fill_in(open_, len(point), *map(np.concatenate, zip(*tried, strict=True)))
-    held = np.flatnonzero((obstacle == Obstacle.HOLDER) | (obstacle == Obstacle.MACHINE))
+    held = np.flatnonzero(np.isin(obstacle, LONGER_HELPS))
     rows = held[:: max(1, len(held) // TRIED)]
     parts = list(_split_places(point[rows], normal[rows], FEW if executor else len(rows)))
     scaled = _scale_progress(progress, tilts, 1.0)
@@ -146,7 +152,32 @@ def reach_map(
     longer = tuple(_estimate_reach(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
     free = np.flatnonzero(obstacle == Obstacle.NONE)
     shut = _estimate_shut(ground, Places(point[free], normal[free]), area[free])
-    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing, shut)
+    without = tuple(_estimate_without(ground, fixtures, Places(point, normal), area, obstacle, scaled))
+    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing, shut, without=without)
+
+
+def with_fixtures(reacher: Reacher, fixtures: Sequence[Fixture]) -> Reacher:
+    """Return the same with these in its way; the very one where there are none."""
+    if not fixtures:
+        return reacher
+    return replace(reacher, fixtures=join_obstacles(fixtures[0].mesh, fixtures[1:]))
+
+
+def _estimate_without(
+    ground: Ground, fixtures: Sequence[Fixture], places: Places, area: Floats, obstacle: Ints,
+    progress: Progress,
+) -> Iterator[tuple[str, float]]:  # fmt: skip
+    """Estimate how much more, mm2, the tool reaches of ``places`` with these areas (k,) without each of the
+    fixtures that keep it from some, from about TRIED of those where they are in the way."""
+    held = np.flatnonzero(obstacle == Obstacle.FIXTURE)
+    rows = held[:: max(1, len(held) // TRIED)]
+    some, every = Places(places.point[rows], places.normal[rows]), np.arange(len(rows))
+    for one in fixtures if len(rows) else ():
+        others = [other for other in fixtures if other is not one]
+        left = with_fixtures(replace(ground.reacher, fixtures=None), others)
+        met, _, _ = _set_on(left, ground.tree, some, every, _scale_progress(progress, 1.0, 1.0))
+        if (freed := float(area[rows[met == Obstacle.NONE]].sum())) > 0.0:
+            yield one.name, freed * float(area[held].sum() / area[rows].sum())
 
 
 def _estimate_shut(ground: Ground, places: Places, area: Floats) -> float:
@@ -156,9 +187,19 @@ def _estimate_shut(ground: Ground, places: Places, area: Floats) -> float:
     if not len(rows):
         return 0.0
     some = Places(places.point[rows], places.normal[rows])
-    drawn = with_way_out(ground.reacher, ground.tree)
+    drawn = _draw_out(ground)
     met, _, _ = _set_on(drawn, ground.tree, some, np.arange(len(rows)), silent)
     return float(area.sum() * area[rows[met != Obstacle.NONE]].sum() / area[rows].sum())
+
+
+def _draw_out(ground: Ground) -> Reacher:
+    """Return the tool in all places at once on its way out of the box of part and fixtures."""
+    drawn, fixtures = with_way_out(ground.reacher, ground.tree), ground.reacher.fixtures
+    if fixtures is None:
+        return drawn
+    low, high = (np.stack(ends) for ends in zip(ground.mesh.box, fixtures.box, strict=True))
+    way = float(np.linalg.norm(high.max(axis=0) - low.min(axis=0)))
+    return replace(drawn, far=max(drawn.far, way + ground.tree.most_allowance))
 
 
 def _fill_in(open_: Ints, count: int, *met: Floats | Ints) -> Met:

@@ -23,8 +23,8 @@ VERSION = 2
 
 KEYS = {
     Obstacle.CUTTER: "tighter_than_cutter", Obstacle.LIMITS: "beyond_machine", Obstacle.TABLE: "below_table",
-    Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder", Obstacle.MACHINE: "machine",
-    Obstacle.FLANK: "cutter_flank", Obstacle.HOLLOW: "closed_hollow",
+    Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder", Obstacle.FIXTURE: "fixture",
+    Obstacle.MACHINE: "machine", Obstacle.FLANK: "cutter_flank", Obstacle.HOLLOW: "closed_hollow",
 }  # fmt: skip
 
 WORTH = 1.01
@@ -36,7 +36,8 @@ LEAST = 1e-3
 NOTE = (
     "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called "
     "reachable is, with the axis tried; what is not may still be, between those axes. Limits are those of "
-    "the rotary axes; the table counts where its height is known, the machine where its file names bodies. "
+    "the rotary axes; the table counts where its height is known, fixtures where they are given, the machine "
+    "where its file names bodies. "
     "A part of the tool may enter by the tolerance."
 )
 
@@ -48,7 +49,8 @@ def reason(obstacle: Obstacle) -> Sentence:
     return {
         Obstacle.LIMITS: say("beyond the machine's limits"), Obstacle.TABLE: say("below the table"),
         Obstacle.CUTTER: say("tighter than the cutter"), Obstacle.SHANK: say("shank in the way"),
-        Obstacle.HOLDER: say("holder in the way"), Obstacle.MACHINE: say("machine in the way"),
+        Obstacle.HOLDER: say("holder in the way"), Obstacle.FIXTURE: say("fixture in the way"),
+        Obstacle.MACHINE: say("machine in the way"),
         Obstacle.FLANK: say("cutter's flank in the way"),
         Obstacle.HOLLOW: say("in a closed hollow, where no tool gets in"), Obstacle.NONE: say("reachable"),
     }[obstacle]  # fmt: skip
@@ -110,6 +112,19 @@ def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
     return texts
 
 
+def name_fixtures(found: ReachMap) -> tuple[Sentence, ...]:
+    """Say of each fixture that is in the way how much more the tool reaches without it, where that is worth a
+    line."""
+    least = LEAST * float(found.area.sum())
+    return tuple(
+        say(
+            "Without the fixture {fixture} the tool reaches about {area} more.",
+            fixture=name, area=Area(area, ".3g"),
+        )
+        for name, area in found.without if area > least
+    )  # fmt: skip
+
+
 def remedies(found: ReachMap) -> tuple[Sentence, ...]:
     """Return what helps where the cutter itself is in the way: its end, or its flank, where that is worth a
     line."""
@@ -135,7 +150,7 @@ def flank_remedy(area: float) -> Sentence:
 
 def _helps(found: ReachMap) -> tuple[Sentence, ...]:
     """Return what is said below the table."""
-    return (*remedies(found), *stick_out(found), *name_shut(found), WAYS)
+    return (*remedies(found), *stick_out(found), *name_fixtures(found), *name_shut(found), WAYS)
 
 
 def _table(found: ReachMap) -> Table:
@@ -174,6 +189,7 @@ def reach_json(
         "by_reason": {key: found.area_of(obstacle) for obstacle, key in KEYS.items()},
         "by_tilt": [{"above": low, "up_to": high, "area": area} for low, high, area in _tilts(found)],
         "stick_out": [{"longer": step, "area": area} for step, area in found.longer],
+        "without_fixture": [{"fixture": name, "area": area} for name, area in found.without],
         "standing_area": found.standing, "no_way_out_area": found.shut, "note": str(WAYS),
         "places": len(found.area), "spacing": found.spacing,
     }  # fmt: skip

@@ -26,7 +26,8 @@ from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with
+from freecad_fiveaxis.core.gouge.fixture_in_part import check_apart
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, read_fixtures
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
 from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
@@ -58,6 +59,7 @@ from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
+from .compare_beside import report_hits, settle_beside, stand_beside
 from .corrections import check_cures, cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
@@ -128,15 +130,17 @@ def run(settings: Settings, progress: Progress = silent, executor: Executor | No
 
 def try_reach(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None,
+    fixtures: Sequence[Fixture] | None = None, most: float = math.pi, executor: Executor | None = None,
 ) -> ReachTrial:  # fmt: skip
-    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its
-    way too; ``most`` rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
+    """Where the tool gets on the part. ``mesh``, ``faces``, ``fixtures``: as in :func:`~.job.make`; ``most``
+    rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
     machine, setup, _ = resolve_setup(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    check_apart(mesh, fixtures)
     mesh, faces, avoided, remarks = choose_facets(settings, mesh, faces, progress)
     area = find_area(settings, mesh, faces, avoided)
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
@@ -213,6 +217,8 @@ def try_machines(
     if not names:
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
     machines = [load_machine(name) for name in names]
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    mesh, settings = settle_beside(settings, mesh, fixtures, progress)
     suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
     each_settings = [_job_settings(suited, name) for name in names]
     stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
@@ -221,11 +227,14 @@ def try_machines(
     ]
     program = _draft_for_first(each_settings, refused, progress, mesh, faces, fixtures)
     stations = [
-        station(machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text)
+        station(
+            machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text,
+            stand_beside(program.settings, machine, setup, fixtures),
+        )
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
-    ]
+    ]  # fmt: skip
     rows = compare(program.path, stations, cures(program, wanted), progress=progress, executor=executor)
-    return Comparison(settings, program, rows, tuple(_row_findings(rows)))
+    return Comparison(settings, program, rows, (*_row_findings(rows), *report_hits(rows)))
 
 
 def _draft_for_first(

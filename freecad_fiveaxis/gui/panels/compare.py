@@ -17,8 +17,10 @@ from freecad_fiveaxis.gui.waiting import waiting
 
 from .choosers import has_head
 from .fields import QuantityField
+from .fixtures import FixturesField
 from .lines import error_line
 from .path_panel import show
+from .toolpath import find_milled_solid
 
 LINE_HEIGHT, LINES = 24, 9
 """Pixels of a line of the list, and how many are shown at once."""
@@ -38,6 +40,8 @@ class ComparePanel:
         self.browse = QtWidgets.QPushButton(translate("FiveAxis", "Another machine file (.fcm)…"))
         self.length = QuantityField("tool_length", "length", _length_hint(), optional=True)
         self.length.show_value(path.ToolLength.Value)
+        self.fixtures = FixturesField(path.Document, find_milled_solid(path.Mesh), _fixtures_hint())
+        self.fixtures.show_value(path.Fixtures)
         self.error = error_line("compare_error")
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Compare"))
         self.calculate_button.setObjectName("calculate")
@@ -70,6 +74,10 @@ class ComparePanel:
         column.addLayout(length)
         column.addWidget(QtWidgets.QLabel(translate("FiveAxis", "Corrections")))
         column.addWidget(self.cures)
+        column.addWidget(QtWidgets.QLabel(self.fixtures.label))
+        column.addWidget(self.fixtures.editor)
+        for line in self.fixtures.lines.values():
+            column.addWidget(line)
         column.addWidget(note)
         column.addStretch()
         return widget
@@ -98,7 +106,8 @@ class ComparePanel:
             return False
         try:
             with waiting(self.title):
-                comparison = comparing.compare(self.path, machines, cures, self.length.value())
+                held, length = self.fixtures.value(), self.length.value()
+                comparison = comparing.compare(self.path, machines, cures, length, fixtures=held)
         except Cancelled:
             status(translate("FiveAxis", "Stopped; the document is as it was."))
             return False
@@ -154,6 +163,13 @@ def _add(box: Any, value: str, text: str, ticked: bool) -> None:
     line.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsUserCheckable)
     line.setCheckState(QtCore.Qt.Checked if ticked else QtCore.Qt.Unchecked)
     box.addItem(line)
+
+
+def _fixtures_hint() -> str:
+    return translate(
+        "FiveAxis",
+        "Solids and meshes of the document that hold the part: each program is proven against them",
+    )
 
 
 def _length_hint() -> str:

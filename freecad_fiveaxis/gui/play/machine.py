@@ -38,14 +38,16 @@ MOMENTS = 200
 
 class DrawnMachine:
     """The bodies of a machine below ``root``, in the machine frame: ``bodies`` of the sketch, ``standing`` of
-    its file."""
+    its file; ``beside``: facets of what else is drawn in many."""
 
-    def __init__(self, bodies: tuple[Body, ...], standing: Sequence[StandingBody] = ()) -> None:
+    def __init__(
+        self, bodies: tuple[Body, ...], standing: Sequence[StandingBody] = (), beside: Sequence[int] = ()
+    ) -> None:
         self.bodies, self.standing = bodies, tuple(standing)
         self.looks = [Look(*LOOKS[one.place]) for one in self.standing]
         carriers = [*(one.carrier for one in bodies), *(one.carrier for one in self.standing)]
         self.carriers = {carrier: coin.SoMatrixTransform() for carrier in carriers}
-        self.drawn = draw_meshes([one.mesh for one in self.standing], self.looks)
+        self.drawn = draw_meshes([one.mesh for one in self.standing], self.looks, beside)
         self.root = nodes.separate(_solid())
         for carrier, placed in self.carriers.items():
             group = nodes.separate(placed)
@@ -95,14 +97,17 @@ def machine_of(
     table: float | None = None,
     standing: Sequence[StandingBody] = (),
     held: bool = False,
+    beside: Sequence[int] = (),
 ) -> DrawnMachine:
     """Return the machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table``
     mm: height of the table's face there, None where it is not known; ``standing``: the bodies of its file;
-    ``held``: whether the part's fixtures are known, so that nothing is made up for them."""
+    ``held``: whether the part's fixtures are known, so that nothing is made up for them; ``beside``: facets
+    of what else is drawn in many."""
     radius, height = size_of(tool)
     sketched = sketch(playback.kinematics, low, high, ToolRoom(height, radius), table)
     left = leave_out(sketched, standing, playback.kinematics)
-    return DrawnMachine(tuple(body for body in left if not (held and body.name == "riser")), standing)
+    kept = tuple(body for body in left if not (held and body.name == "riser"))
+    return DrawnMachine(kept, standing, beside)
 
 
 def _corners(low: np.ndarray, high: np.ndarray) -> np.ndarray:

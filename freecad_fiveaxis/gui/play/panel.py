@@ -19,13 +19,14 @@ from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.pipeline.in_machine import stand_up
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram
-from freecad_fiveaxis.core.report.playback import NCLines
+from freecad_fiveaxis.core.report.playback import NCLines, Pose
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, icon, later, translate
 
 from .camera import Camera
 from .controls import SLIDER, Controls
+from .document_copies import DocumentCopies
 from .machine import machine_of
 from .player import Player
 from .readout import Readout
@@ -36,6 +37,9 @@ from .watch import Watch
 
 TICK = 30
 """ms between two pictures."""
+READ = 0.1
+"""s between two readings while time passes: faster, numbers are not read, and writing them takes a tenth of a
+picture's time."""
 LONGEST_STEP = 0.25
 """s: if the window was held up for longer, the program did not go on meanwhile."""
 REACH = 0.9
@@ -56,7 +60,7 @@ class PlayPanel:
         self.readout = Readout(figures, NCLines(results.nc_of(obj)))
         self.form = self._widget()
         self.stage = self._new_stage()
-        self.timer, self._then, self._drawn = QtCore.QTimer(), 0.0, -1
+        self.timer, self._then, self._drawn, self._read = QtCore.QTimer(), 0.0, -1, 0.0
         self.timer.setInterval(TICK)
         self.timer.timeout.connect(self._tick)
         self._stale, self._open, self._docked = False, True, False
@@ -123,10 +127,18 @@ class PlayPanel:
         self._drawn = block
         player, on_machine = self.player, self.controls.machine.isChecked()
         self.stage.show(pose, curve, on_machine, player.struck, player.near, self.moving)
-        self.readout.show(pose, self.player.playback.seconds, self.player.met)
+        self._read_out(pose)
         self.controls.show_share(self.player.share())
         if self.controls.follow.isChecked():
             self._follow()
+
+    def _read_out(self, pose: Pose) -> None:
+        """Say where the program stands; while time passes, a few times a second."""
+        now = time.monotonic()
+        flows = self.playing and not self.controls.slider.isSliderDown()
+        if not flows or now - self._read >= READ:
+            self._read = now
+            self.readout.show(pose, self.player.playback.seconds, self.player.met)
 
     def _follow(self) -> None:
         try:
@@ -145,11 +157,11 @@ class PlayPanel:
         origin = draft.settings.machine.origin or draft.machine.origin
         table = None if draft.machine.table is None else draft.machine.table - origin[2]
         box, held = self._part_box(), bool(draft.fixtures)
-        machine = machine_of(self.player.playback, *box, tool, table, stand_up(draft), held)
-        fixtures = DrawnFixtures(draft.fixtures)
-        return Stage(
-            self.view.getSceneGraph(), tool, machine, fixtures, zero, letters, (low + high) / 2.0, reach
-        )
+        standing, graph = stand_up(draft), self.view.getSceneGraph()
+        document = DocumentCopies(graph, [len(one.mesh.face) for one in standing])
+        machine = machine_of(self.player.playback, *box, tool, table, standing, held, document.counts)
+        fixtures, middle = DrawnFixtures(draft.fixtures), (low + high) / 2.0
+        return Stage(graph, tool, machine, fixtures, document, zero, letters, middle, reach)
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the corners (3,) mm of the part's box, work frame; those of the path where no part is

@@ -14,7 +14,7 @@ from pivy import coin
 
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.geometry.reduced import reduce_mesh, share_facets
-from freecad_fiveaxis.core.geometry.shading import order_outward, shade
+from freecad_fiveaxis.core.geometry.shading import Shaded, order_outward, shade
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.report.standing_bodies import find_edges, find_sharp
 from freecad_fiveaxis.gui.scene import nodes
@@ -62,9 +62,9 @@ class DrawnMesh:
     def __init__(self, mesh: Mesh, look: Look, most: int | None = None) -> None:
         self.copy = None if most is None else reduce_mesh(mesh, most)
         edges = find_edges(mesh)
-        forms = [(_faces(mesh), _edges(edges))]
+        forms = [(face_node(light(mesh)), _edges(edges))]
         if self.copy is not None:
-            copied = nodes.separate(_blend_in_order(), _faces(self.copy.mesh, outward=True))
+            copied = nodes.separate(blend_in_order(), face_node(light(self.copy.mesh, outward=True)))
             forms.append((copied, _edges(_longest(edges, (most or 0) // FACETS_AN_EDGE))))
         self._faces, self._edges = (nodes.choice(*column) for column in zip(*forms, strict=True))
         line = nodes.separate(nodes.flat(), nodes.colour(EDGE), nodes.style(1.0), self._edges)
@@ -104,9 +104,10 @@ class DrawnFixtures:
             nodes.turn(switch, name in hit or name in near)
 
 
-def draw_meshes(meshes: Sequence[Mesh], looks: Sequence[Look]) -> list[DrawnMesh]:
-    """Draw meshes that move together: their copies have ``BUDGET`` facets between them."""
-    shares = share_facets([len(one.face) for one in meshes], BUDGET)
+def draw_meshes(meshes: Sequence[Mesh], looks: Sequence[Look], beside: Sequence[int] = ()) -> list[DrawnMesh]:
+    """Draw meshes that move together: their copies, and those of what else is drawn with so many facets each
+    ``beside`` them, have ``BUDGET`` facets between them."""
+    shares = share_facets([*(len(one.face) for one in meshes), *beside], BUDGET)[: len(meshes)]
     return [DrawnMesh(*one) for one in zip(meshes, looks, shares, strict=True)]
 
 
@@ -115,7 +116,7 @@ def mesh_node(mesh: Mesh, look: Look) -> Any:
     return DrawnMesh(mesh, look).node
 
 
-def _blend_in_order() -> Any:
+def blend_in_order() -> Any:
     """Return what lets facets that are seen through be blended as they come. FreeCAD's views sort them in
     every frame, which takes longer than drawing them."""
     kind = coin.SoTransparencyType()
@@ -123,14 +124,16 @@ def _blend_in_order() -> Any:
     return kind
 
 
-def _faces(mesh: Mesh, outward: bool = False) -> Any:
-    """Facets with a normal for each of their vertices: so Coin hands them to the graphics as they stand in
-    memory, and need not find normals for itself, one for each corner of each facet. ``outward``: in the order
-    in which they can be blended unsorted."""
-    faces, lit = coin.SoIndexedFaceSet(), shade(mesh, find_sharp(mesh))
-    if outward:
-        lit = order_outward(lit)
-    drawn = nodes.vertices(lit.vertex)
+def light(mesh: Mesh, outward: bool = False) -> Shaded:
+    """Return a mesh with its normals. ``outward``: in the order in which it can be blended unsorted."""
+    lit = shade(mesh, find_sharp(mesh))
+    return order_outward(lit) if outward else lit
+
+
+def face_node(lit: Shaded) -> Any:
+    """Return facets with a normal for each of their vertices: so Coin hands them to the graphics as they
+    stand in memory, and need not find normals for itself, one for each corner of each facet."""
+    faces, drawn = coin.SoIndexedFaceSet(), nodes.vertices(lit.vertex)
     drawn.normal.setValues(0, len(lit.normal), np.ascontiguousarray(lit.normal, np.float32))
     drawn.normalBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
     faces.vertexProperty = drawn

@@ -4,7 +4,8 @@
 The document is the work: FreeCAD draws part, mesh, path and markers, and two nodes are put before them into
 this view's scene. The first holds what is our own: tool, rotary axes, the block's commanded segment and its
 real curve. The second turns everything that FreeCAD draws after it as the table turns the work. No document
-object is touched; taking the two nodes out again leaves the view as it was.
+object is touched; taking the two nodes out again leaves the view as it was. While the picture moves, large
+solids and meshes of the document are drawn from coarser copies.
 
 over the part   the part stands still and the tool moves over it.
 on the machine  everything moves as it really will: the table with the part on it, and the tool on its head;
@@ -24,6 +25,7 @@ from freecad_fiveaxis.gui.scene import nodes
 from freecad_fiveaxis.gui.scene.on_screen import Label, Labels, LegendBox
 from freecad_fiveaxis.gui.scene.overlay import Legend
 
+from .document_copies import DocumentCopies
 from .machine import DrawnMachine
 from .player import Struck
 from .solids import DrawnFixtures
@@ -48,12 +50,13 @@ class Stage:
         tool: DrawnTool,
         machine: DrawnMachine,
         fixtures: DrawnFixtures,
+        document: DocumentCopies,
         zero: np.ndarray,
         letters: str,
         centre: np.ndarray,
         reach: float,
     ) -> None:
-        self.machine, self.fixtures = machine, fixtures
+        self.machine, self.fixtures, self.document = machine, fixtures, document
         self.zero, self.centre, self.reach = np.asarray(zero, float), np.asarray(centre, float), reach
         self.tool, self.work, self.turn = (coin.SoMatrixTransform() for _ in range(3))
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
@@ -99,6 +102,7 @@ class Stage:
             self.machine.show(pose.machine_from_carried, moving)
         self.machine.show_struck(struck, near)
         self.fixtures.show(struck.fixtures, near.fixtures, moving)
+        self.document.show(moving)
         self._draw_axes(rotary_lines(pose, self.centre, self.reach), scene_from_machine)
         if curve is not None:
             _fill(self.curve, curve)
@@ -113,6 +117,7 @@ class Stage:
         gone."""
         if self._graph is None:
             return
+        self.document.remove()
         for node in (self.turn, self.root):
             if self._graph.findChild(node) >= 0:
                 self._graph.removeChild(node)

@@ -19,7 +19,8 @@ COLOURS: dict[Obstacle, nodes.Colour] = {
     Obstacle.NONE: (0.60, 0.82, 0.62), Obstacle.CUTTER: (0.95, 0.75, 0.10),
     Obstacle.FLANK: (0.98, 0.93, 0.62),
     Obstacle.SHANK: (0.25, 0.62, 0.90),
-    Obstacle.HOLDER: (0.83, 0.28, 0.10), Obstacle.MACHINE: (0.90, 0.45, 0.65),
+    Obstacle.HOLDER: (0.83, 0.28, 0.10), Obstacle.FIXTURE: (0.10, 0.45, 0.45),
+    Obstacle.MACHINE: (0.90, 0.45, 0.65),
     Obstacle.TABLE: (0.50, 0.38, 0.28),
     Obstacle.LIMITS: (0.58, 0.40, 0.74), Obstacle.HOLLOW: (0.35, 0.36, 0.40),
 }  # fmt: skip

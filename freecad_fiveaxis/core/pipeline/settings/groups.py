@@ -35,6 +35,7 @@ from .option import (
     SLOWEST,
     SMALLEST,
     TASKS,
+    TRIALS,
     WIDEST_LEAD,
     option,
 )
@@ -397,28 +398,28 @@ class GougeSettings:
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free "
         "within max-tilt and lift where the cutter still enters; off: no check",
-        (MILL, AUDIT, SETUP), choices=GOUGE, by_task={MILL: "lift", SETUP: "lift", AUDIT: "report"},
+        (MILL, AUDIT, SETUP, COMPARE), choices=GOUGE, by_task={MILL: "lift", SETUP: "lift", AUDIT: "report"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge",
-        (MILL, AUDIT, REACH, SETUP),
+        (MILL, AUDIT, *TRIALS),
     )  # fmt: skip
     holder: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge",
-        (MILL, AUDIT, REACH, SETUP),
+        (MILL, AUDIT, *TRIALS),
     )  # fmt: skip
     fixture: tuple[str, ...] = option(
         (), "paths",
         "an STL file of a vise, clamp or other fixture, in the part's own place, or with the place of its "
         "zero behind it: FILE.stl@X,Y,Z in mm from the work zero, or FILE.stl@X,Y,Z,RX,RY,RZ with degrees, "
         "turned about X, then Y, then Z of the work zero; the tool is checked against it, and a path is laid "
-        "around it; may be repeated", (*ONE_PROGRAM, SETUP),
+        "around it; may be repeated", (*ONE_PROGRAM, *TRIALS),
     )  # fmt: skip
     fixture_clearance: float = option(
         0.0, "length",
         "how near cutter, shank, holder and spindle may come to fixtures and bodies of the machine before "
         "that is "
-        "told", (*ONE_PROGRAM, SETUP), least=0.0, most=LONGEST,
+        "told", (*ONE_PROGRAM, SETUP, COMPARE), least=0.0, most=LONGEST,
     )  # fmt: skip
     avoid_allowance: float = option(
         0.0, "length",

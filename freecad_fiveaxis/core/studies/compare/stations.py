@@ -8,7 +8,7 @@ cure      a way from the CL path to joints that deviate less: a function, so tha
 pair      a station and a cure: the work of one worker, where there are several. No more workers have anything
           to do than there are pairs.
 row       one combination. Its deviation is that of its own rounded blocks from the segments that they
-          command.
+          command; where there are fixtures, its program is proven against them.
 """
 
 from __future__ import annotations
@@ -21,11 +21,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, SettingsError
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.base.spread import spread
+from freecad_fiveaxis.core.gouge.fixtures import box_with
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above
@@ -35,6 +37,7 @@ from freecad_fiveaxis.core.report.figures import axis_rates
 from freecad_fiveaxis.core.studies.setup_map import Posting, part_box
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
+from .beside_fixtures import Beside, find_hits, guide_tip
 from .tool_centre import guide
 
 NO_RATES = (math.nan,) * 5
@@ -43,13 +46,14 @@ NO_RATES = (math.nan,) * 5
 @dataclass(frozen=True, eq=False)
 class Station:
     """``kinematics``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the
-    machine cannot do what is asked for at all, or empty."""
+    machine cannot do what is asked for at all, or empty. ``beside``: the fixtures, None: there are none."""
 
     name: str
     machine: Machine
     kinematics: Chain
     posting: Posting
     refused: str = ""
+    beside: Beside | None = None
 
 
 Cure = Callable[[CLPath, Station, Progress], JointPath]
@@ -61,7 +65,8 @@ class Row:
     """``tool_centre``: the controller guides the tip. ``deviation``, ``bound`` mm and ``axis_deviation`` rad:
     the largest of the feed blocks, of a ball its centre's; ``time`` s of the whole program; ``peak_rate``:
     the largest rate of each axis, in the order of ``letters``, in a feed block, mm/min and rad/min; ``over``
-    mm beyond linear limits. ``problem``: why there are no figures (then NaN), or empty.
+    mm beyond linear limits. ``problem``: why there are no figures (then NaN), or empty. ``fixtures``: what
+    hits a fixture or comes too near to one, None: there are none to look at.
     """
 
     machine: str
@@ -77,18 +82,24 @@ class Row:
     peak_rate: tuple[float, ...] = NO_RATES
     over: float = math.nan
     problem: str = ""
+    fixtures: tuple[Finding, ...] | None = None
 
 
-def station(machine: Machine, setup: Setup, posting: Posting, name: str = "", refused: str = "") -> Station:
+def station(
+    machine: Machine, setup: Setup, posting: Posting, name: str = "", refused: str = "",
+    beside: Beside | None = None,
+) -> Station:  # fmt: skip
     """Return a machine with the part clamped in ``setup``. Raises MachineError for a chain without a
     solution."""
-    return Station(name or machine.name, machine, chain(machine, setup), posting, refused)
+    return Station(name or machine.name, machine, chain(machine, setup), posting, refused, beside)
 
 
 def solve_path(path: CLPath, where: Station, progress: Progress = silent) -> JointPath:
     """Return the cure that is none: the joints as ``joint_path.solve`` finds them."""
-    low, high = part_box(path, where.posting.part)
-    return solve(path, where.kinematics, low, high, where.posting.clearance, where.posting.radius, progress)
+    box, beside, tool = part_box(path, where.posting.part), where.beside, None
+    if beside is not None:
+        box, tool = box_with(box, beside.fixtures), beside.rapid
+    return solve(path, where.kinematics, *box, where.posting.clearance, where.posting.radius, progress, tool)
 
 
 NO_CURE: Mapping[str, Cure] = {"none": solve_path}
@@ -178,10 +189,14 @@ def _rows(
     deviation = _measure_surface(where, program)
     return [
         (_make_guided_row if one else _make_unguided_row)(
-            where, name, joints, program, deviation
+            where, name, joints, program, deviation, progress
         )  # columns that depend on tool-centre control
         for one in guided
     ]
+
+
+def _look_beside(where: Station, program: Program, progress: Progress) -> tuple[Finding, ...] | None:
+    return None if where.beside is None else find_hits(where.beside, where.kinematics, program, progress)
 
 
 def _measure_surface(where: Station, program: Program) -> Deviation:
@@ -193,7 +208,7 @@ def _measure_surface(where: Station, program: Program) -> Deviation:
 
 
 def _make_unguided_row(
-    where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation
+    where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation, progress: Progress
 ) -> Row:
     feeds = feed_blocks(program)
     rates = axis_rates(program)[feeds].max(axis=0, initial=0.0) * np.array(
@@ -204,12 +219,12 @@ def _make_unguided_row(
         _largest(deviation.bound[feeds]),
         _largest(deviation.axis[feeds]), len(program.words), len(feeds), float(program.seconds.sum()),
         tuple(rates.tolist()),
-        _over(where.kinematics, joints.q),
+        _over(where.kinematics, joints.q), fixtures=_look_beside(where, program, progress),
     )  # fmt: skip
 
 
 def _make_guided_row(
-    where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation
+    where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation, progress: Progress
 ) -> Row:
     feeds, row, dialect = feed_blocks(program), program.row, where.posting.dialect
     tip = np.stack([round_as_printed(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
@@ -220,6 +235,7 @@ def _make_guided_row(
         where.name, name, True, where.kinematics.letters, 0.0, 0.0, _largest(deviation.axis[feeds]), len(row),
         len(feeds),
         float(guided.seconds.sum()), tuple(guided.rates(feeds).tolist()), _over(where.kinematics, joints.q),
+        fixtures=_look_beside(where, guide_tip(where.kinematics, program, tip), progress),
     )  # fmt: skip
 
 

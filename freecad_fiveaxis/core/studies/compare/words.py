@@ -12,6 +12,7 @@ from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
 
+from .beside_fixtures import find_worst_meeting, hits_fixture
 from .stations import Row
 
 VERSION = 1
@@ -36,7 +37,7 @@ def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
     lines = [
         verdict(rows, tolerance),
         "",
-        *text_table(Table(SHORT_HEAD, _table(rows).rows)),
+        *text_table(_table(rows, SHORT_HEAD)),
         *(f"{key}: {text}" for key, text in _problems(rows)),
     ]
     return "\n".join(lines) + "\n"
@@ -52,7 +53,7 @@ def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None =
     """Return the table as a page that needs nothing else. ``tolerance`` mm: what is within it is named in the
     first sentence."""
     body = [
-        section("The table", table(_table(rows)) + f'<p class="note">{escape(NOTE)}</p>'),
+        section("The table", table(_table(rows)) + f'<p class="note">{escape(_note(rows))}</p>'),
         section(
             "What could not be done",
             "".join(f"<p><b>{escape(key)}</b>: {escape(text)}</p>" for key, text in _problems(rows)),
@@ -70,16 +71,45 @@ NOTE = (
     "Rates are the peaks within feed blocks, at the programmed feed where no axis is too slow for it. Time "
     "includes rapids."
 )
+FIXTURES_NOTE = (
+    "Fixtures: how deep tool or spindle go into one on the real way of each block, or how near they come "
+    "where less than the clearance is left; free: by no more than the tolerance. Rapids are taken as "
+    "interpolated."
+)
+
+
+def _note(rows: Sequence[Row]) -> str:
+    return f"{NOTE} {FIXTURES_NOTE}" if _has_fixtures(rows) else NOTE
+
+
+def _has_fixtures(rows: Sequence[Row]) -> bool:
+    return any(row.fixtures is not None for row in rows)
 
 
 def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
-    """One plain sentence: what holds the tolerance soonest; without one, what deviates least."""
+    """One plain sentence: what holds the tolerance soonest; without one, what deviates least. Another says in
+    how many ways a fixture is hit."""
+    hit = sum(hits_fixture(row.fixtures) for row in rows)
+    found = _name_best(rows, tolerance)
+    return join_sentences((found, _say_hit(hit, len(rows)))) if hit else found
+
+
+def _say_hit(count: int, every: int) -> Sentence:
+    return plural(
+        count,
+        "In 1 of {all} ways the tool hits a fixture.",
+        "In {count} of {all} ways the tool hits a fixture.",
+        all=every,
+    )
+
+
+def _name_best(rows: Sequence[Row], tolerance: float | None) -> Sentence:
     able = [row for row in rows if not row.problem]
     if not able:
         return say("None of the machines can drive this path.")
     plain_ones = [row for row in able if not row.tool_centre] or able
     if tolerance is None:
-        best = min(plain_ones, key=lambda row: row.deviation)
+        best = min(plain_ones, key=lambda row: (hits_fixture(row.fixtures), row.deviation))
         return say(
             "Least deviation: {way}, {deviation} in {time}.",
             way=_name(best),
@@ -87,6 +117,11 @@ def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
             time=duration(best.time),
         )
     good = _good(able, tolerance)
+    if not good and _has_fixtures(rows):
+        return say(
+            "Nothing here holds {tolerance} within the limits of its machine and stays out of the fixtures.",
+            tolerance=Length(tolerance),
+        )
     if not good:
         return say(
             "Nothing here holds {tolerance} within the limits of its machine.", tolerance=Length(tolerance)
@@ -116,7 +151,14 @@ def _say_guided(count: int) -> Sentence:
 
 
 def _good(rows: Sequence[Row], tolerance: float) -> list[Row]:
-    return [row for row in rows if not row.problem and row.bound <= tolerance and not row.over > LIMIT_SHOWN]
+    return [
+        row
+        for row in rows
+        if not row.problem
+        and row.bound <= tolerance
+        and not row.over > LIMIT_SHOWN
+        and not hits_fixture(row.fixtures)
+    ]
 
 
 LIMIT_SHOWN = 5e-4
@@ -130,8 +172,22 @@ def _name(row: Row) -> Sentence:
     return say("{machine} with {cure}", machine=row.machine, cure=cure)
 
 
-def _table(rows: Sequence[Row]) -> Table:
-    return Table(HEAD, [_cells(row) for row in rows])
+def _table(rows: Sequence[Row], head: tuple[str, ...] = HEAD) -> Table:
+    if not _has_fixtures(rows):
+        return Table(head, [_cells(row) for row in rows])
+    return Table((*head, "fixtures"), [[*_cells(row), name_hit(row)] for row in rows])
+
+
+def name_hit(row: Row) -> str:
+    """Say in a cell how deep the tool goes into which fixture, or how near it comes."""
+    if row.fixtures is None:
+        return "-"
+    met = find_worst_meeting(row.fixtures)
+    if met is None:
+        return "free"
+    if hits_fixture((met.found,)):
+        return f"wholly in {met.fixture}" if math.isinf(met.room) else f"{-met.room:.3f} mm in {met.fixture}"
+    return f"{met.room:.3f} mm from {met.fixture}"
 
 
 def _cells(row: Row) -> list[str]:
@@ -167,7 +223,7 @@ def _record(row: Row) -> dict[str, object]:
         "peak_rate": {row.letters[k]: rates[k] for k in find_physical_columns(row.letters)},
         "over_limits": row.over,
         "problem": row.problem,
-    }  # fmt: skip
+    } | ({} if row.fixtures is None else {"fixtures": row.fixtures})  # fmt: skip
 
 
 def _problems(rows: Sequence[Row]) -> list[tuple[str, str]]:

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a fixture stands in the part: what no clamping does, but a wrong place, other units, or the stock
+in place of a vise.
+
+touch     jaws lie on the part, a soft one is pressed into it, and both are meshed by chords: PRESSED is none.
+deep      a sample of the one's surface in the other, about which a ball of PRESSED meets none of its facets.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.tool.body import Body, round_piece
+
+from .fixtures import Fixture
+from .inside import inside, is_closed
+from .obstacles import enters
+from .rest_material import surface_samples
+
+PRESSED = 1.0
+"""mm: so deep in each other part and fixture touch."""
+
+ALONG = 60
+"""Samples along the shorter of part and fixture, about."""
+
+NOTHING = 1e-6
+"""mm: a facet that comes so far into the ball meets it."""
+
+
+def check_apart(mesh: Mesh, fixtures: Sequence[Fixture]) -> None:
+    """Check that none of the fixtures, work frame, stands deeper than PRESSED in the part, nor the part in
+    it. Raises SettingsError that names the first that does, and a place."""
+    for one in fixtures:
+        place = find_deep(one.mesh, mesh)
+        place = find_deep(mesh, one.mesh) if place is None else place
+        if place is not None:
+            raise SettingsError(
+                say(
+                    "{option}: {fixture} stands in the part, more than {depth} deep at {at}; check its place "
+                    "and its units",
+                    option=Option("fixture"), fixture=one.name, depth=Length(PRESSED), at=Point(place),
+                ),
+                one.name,
+            )  # fmt: skip
+
+
+def find_deep(mesh: Mesh, other: Mesh) -> tuple[float, float, float] | None:
+    """Find a place (3,) mm of the surface of ``mesh`` that lies deeper than PRESSED in the ``other``; None
+    where no sample does, or that is not closed."""
+    near = _find_facets_near(mesh, other)
+    if not near.any() or not is_closed(other):
+        return None
+    point, _, _ = surface_samples(mesh, _choose_spacing(mesh, other), near)
+    point = point[inside(facet_tree(other), point)]
+    up = np.tile((0.0, 0.0, 1.0), (len(point), 1))
+    ball = Body((round_piece(0.0, PRESSED, PRESSED),))
+    deep = point[~enters(ball, facet_tree(other), point - PRESSED * up, up, NOTHING)]
+    if not len(deep):
+        return None
+    x, y, z = deep[0].tolist()
+    return x, y, z
+
+
+def _find_facets_near(mesh: Mesh, other: Mesh) -> Bools:
+    """Find the facets (f,) whose boxes reach into the other's box."""
+    low, high = other.box
+    corner = mesh.vertex[mesh.face]
+    return np.asarray(((corner.max(axis=1) > low) & (corner.min(axis=1) < high)).all(axis=1))
+
+
+def _choose_spacing(mesh: Mesh, other: Mesh) -> float:
+    """mm between samples: fine enough for the part of the boxes that both have, never so fine that samples
+    are many."""
+    low, high = (np.stack(ends) for ends in zip(mesh.box, other.box, strict=True))
+    both: Floats = high.min(axis=0) - low.max(axis=0)
+    return max(float(both.max()) / ALONG, float(np.ptp(mesh.vertex, axis=0).max()) / (4 * ALONG))
