@@ -10301,7 +10301,7 @@
     </message>
     <message>
         <source>{part} with {finish}</source>
-        <translation type="unfinished"></translation>
+        <translation>{part} mit {finish}</translation>
     </message>
     <message>
         <source>{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none in its panel.</source>
