@@ -183,7 +183,7 @@ def test_faces_of_several_colours_and_small_shapes_have_no_copy(doc, tmp_path, c
     assert len(shown.stage.document.shapes) == 1
 
 
-def test_the_window_goes_on_while_a_copy_is_made(doc, tmp_path, part, few, opened, monkeypatch, until):
+def test_the_window_goes_on_while_a_copy_is_computed(doc, tmp_path, part, few, opened, monkeypatch, until):
     """Piece by piece, each an event of its own."""
     from freecad_fiveaxis.gui.play.document_copies import DocumentCopies
 

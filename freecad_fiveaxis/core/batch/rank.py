@@ -58,7 +58,7 @@ def _by_finish(rows: Sequence[Row]) -> dict[tuple[str, str], list[Row]]:
 
 
 def _has_failed(row: Row) -> bool:
-    return row["verdict"] == FAILED
+    return bool(row["verdict"] == FAILED)
 
 
 def _name_finish(row: Row) -> str:
@@ -99,9 +99,7 @@ def _read_number(row: Row, name: str) -> float:
 def _best_line(part: str | Sentence, rows: Sequence[Row]) -> Sentence:
     best = [row for row in rows if row["rank"] == 1]
     if not best:
-        return say(
-            "{part}: none of {count} ways makes a program that is safe", part=part, count=len(rows)
-        )
+        return say("{part}: none of {count} ways makes a program that is safe", part=part, count=len(rows))
     names = ", ".join(map(_place, best))
     return say(
         "{part}: best of {count}: {names}, {share} % unfinished, {minutes} min",
