@@ -215,3 +215,28 @@ def test_while_time_passes_the_figures_are_written_now_and_then_and_at_a_pause_a
     monkeypatch.setattr(panel, "READ", 0.0)
     click(shown.controls.play)
     until(lambda: len(written) > 3, 20000, "the figures")
+
+
+def test_while_the_slider_is_dragged_figures_are_written_now_and_then_and_where_it_rests(
+    doc, tmp_path, opened, until, monkeypatch
+):
+    from freecad_fiveaxis.gui.play import panel
+
+    monkeypatch.setattr(panel, "READ", 0.3)
+    shown = opened(table_2(doc, tmp_path))
+    written, show = [], shown.readout.show
+    monkeypatch.setattr(shown.readout, "show", lambda *what: (written.append(what[0]), show(*what)))
+    slider = shown.controls.slider
+    slider.setSliderDown(True)
+    for value in range(100, 400, 10):
+        slider.setValue(value)
+    assert len(written) < 10
+    until(
+        lambda: written and np.allclose(written[-1].words, shown.player.pose.words),
+        20000,
+        "the figures at rest",
+    )
+    assert slider.isSliderDown()
+    slider.setValue(700)
+    slider.setSliderDown(False)
+    assert np.allclose(written[-1].words, shown.player.pose.words)
