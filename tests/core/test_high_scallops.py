@@ -129,6 +129,17 @@ def test_fronts_that_meet_nearly_in_one_direction_are_none(degrees, turns):
     assert bool(turning(mesh, y * math.cos(half) - np.abs(x) * math.sin(half)).size) == turns
 
 
+def test_what_no_pass_comes_near_is_no_scallop():
+    """Half of the plate has no pass; a step and a half from the last one a place still counts."""
+    step = flat_interval(RADIUS, SCALLOP)
+    mesh = plate(20.0 * step)
+    (one,) = reported(mesh, mesh.vertex[:, 0], (np.arange(10.0) + 0.5) * step)
+    assert cusp(1.9 * step) < one.value < cusp(2.0 * step) and one.place[0] < 11.6 * step
+    region = Region(mesh, np.ones(len(mesh.face), bool), RADIUS, step)
+    contact = slice_field(mesh, mesh.vertex[:, 0], np.array([0.5 * step]))
+    assert measure_heights(region, contact, np.array([[19.0 * step, 4.0, 0.0]])).tolist() == [-np.inf]
+
+
 def test_pieces_far_from_every_place_are_left_out_and_change_nothing():
     mesh = plate(30.0, 8.0, 121)
     region = Region(mesh, np.ones(len(mesh.face), bool), RADIUS, flat_interval(RADIUS, SCALLOP))

@@ -127,12 +127,13 @@ def _say_high(region: Region, scallop: float, area: float, worst: float, where: 
 
 def measure_heights(region: Region, contact: ContactPath, point: Floats) -> Floats:
     """Measure what (n,) mm the ball leaves over points (n, 3) of the region when it follows the passes; below
-    0 where it enters them. No less than there is where a place is farther than NEAR steps from every pass."""
+    0 where it enters them, -inf where a place is farther than NEAR steps from every pass: no scallop is that,
+    and what passes do not touch has findings of its own."""
     near = _are_near(contact, point, NEAR * region.interval)
     start = (contact.point[::2] + region.radius * contact.normal[::2])[near]
     end = (contact.point[1::2] + region.radius * contact.normal[::2])[near]
     if not len(start):
-        return np.full(len(point), np.inf)
+        return np.full(len(point), -np.inf)
     length = float(np.linalg.norm(end - start, axis=1).sum())
     sample, of = sample_lines(start, end, max(FINE * region.interval, length / MOST_SAMPLES))
     there = of[scipy.spatial.cKDTree(sample).query(point)[1]]
@@ -140,7 +141,9 @@ def measure_heights(region: Region, contact: ContactPath, point: Floats) -> Floa
     off = point - start[there]
     along = row_dot(off, way) / np.maximum(row_dot(way, way), 1e-300)
     off -= np.clip(along, 0.0, 1.0)[:, None] * way
-    return np.asarray(np.sqrt(row_dot(off, off)) - region.radius)
+    distance = np.sqrt(row_dot(off, off))
+    beyond = np.hypot(region.radius, NEAR * region.interval)
+    return np.asarray(np.where(distance > beyond, -np.inf, distance - region.radius))
 
 
 def _are_near(contact: ContactPath, point: Floats, reach: float) -> Bools:
