@@ -5320,6 +5320,10 @@
         <translation>Die Bahnen liegen {stepover} auseinander, der Fräser ist {width} breit: Die Streifen dazwischen bleiben stehen. Mit {option} einen kleineren Abstand angeben oder mit {scallop}, wie viel stehen bleiben darf.</translation>
     </message>
     <message>
+        <source>Passes leave more than {scallop} where they turn in corners or end at edges: on at least {area}, {percent} % of what is cut, most at {place}: {height}. The map of what is left ({left}) measures the program itself. A smaller {option} leaves less there.</source>
+        <translation>Wo Bahnen in Ecken umlenken oder an Kanten enden, lassen sie mehr als {scallop} stehen: auf mindestens {area}, {percent} % der zu fräsenden Fläche, am meisten bei {place}: {height}. Die Restmaterialkarte ({left}) misst das Programm selbst. Eine kleinere Angabe für {option} lässt dort weniger stehen.</translation>
+    </message>
+    <message>
         <source>Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. Choose other passes, or a smaller stepover or scallop, for those.</source>
         <translation>Bahnen berühren keine der {count} Facetten von {area}, die zu fräsen sind: Sie liegen längs der Bahnen oder zwischen zweien. Für diese andere Bahnen wählen, oder einen kleineren Bahnabstand oder eine kleinere Rauhöhe.</translation>
     </message>
@@ -7920,6 +7924,10 @@
         <translation>die Bahnen liegen nicht dichter als der kleinste Abstand, und bis zu {value} hoch bleibt zwischen ihnen stehen</translation>
     </message>
     <message>
+        <source>passes that turn in corners or end at edges leave more than the scallop there</source>
+        <translation>wo Bahnen in Ecken umlenken oder an Kanten enden, bleiben höhere Kuppen stehen</translation>
+    </message>
+    <message>
         <source>passes were turned past the machine's pole</source>
         <translation>Bahnen wurden am Pol der Maschine vorbei gedreht</translation>
     </message>
@@ -10374,6 +10382,10 @@
     <message>
         <source>{part} is no number</source>
         <translation>{part} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{part} with {finish}</source>
+        <translation>{part} mit {finish}</translation>
     </message>
     <message>
         <source>{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none in its panel.</source>

@@ -59,7 +59,7 @@ def test_each_row_meets_the_fixture_as_the_program_that_mill_makes(more):
     assert worst(row.fixtures) == worst(result.findings) and row.fixtures[0].value > 1.0
 
 
-def test_unless_it_is_said_otherwise_the_path_is_lifted_out_of_the_fixture_as_in_mill():
+def test_unless_another_cure_is_named_the_path_is_lifted_out_of_the_fixture_as_in_mill():
     row, result = compared("none").rows[0], milled()
     assert row.blocks == len(result.draft.program.words) and row.fixtures == ()
     assert not [one for one in result.findings if one.code == Code.FIXTURE_COLLISION]
@@ -99,7 +99,7 @@ def test_what_hits_a_fixture_is_not_among_the_ways_that_hold_and_the_table_says_
     assert compare_text(free.rows, 0.01).count(" free\n") == 2
 
 
-def test_without_fixtures_nothing_of_them_is_said():
+def test_without_fixtures_nothing_of_them_is_reported():
     found = compared("none", fixtures=())
     assert [row.fixtures for row in found.rows] == [None, None]
     for text in (as_text(found), compare_json(found.rows), compare_html(found.rows)):
@@ -179,14 +179,14 @@ def test_a_fixture_in_the_part_is_one_line_with_exit_code_2_before_the_work(file
 
 def test_retracts_keep_off_the_box_of_part_and_fixture_as_in_mill(monkeypatch):
     """What the joint paths of both are asked to keep off, and with which tool."""
-    asked = []
+    calls = []
     for module in (stations, driving):
         whole = module.solve
         monkeypatch.setattr(
-            module, "solve", lambda *given, whole=whole, **more: asked.append(given) or whole(*given, **more)
+            module, "solve", lambda *given, whole=whole, **more: calls.append(given) or whole(*given, **more)
         )
     compared("none", holder="40x30")
-    (_, _, low, high, *_, milled_tool, _), (_, _, also_low, also_high, *_, tool) = asked
+    (_, _, low, high, *_, milled_tool, _), (_, _, also_low, also_high, *_, tool) = calls
     assert low.tolist() == also_low.tolist() == [0, -8, 0]
     assert high.tolist() == also_high.tolist() == [30, 20, 25]
     assert tool == milled_tool and len(tool.pieces) > 1

@@ -83,7 +83,7 @@ def test_a_jaw_that_touches_or_is_pressed_into_the_part_changes_nothing(files, d
     assert not in_part(proved(files, write_side_jaw(files, deep), gouge="report"))
 
 
-def test_a_fixture_in_the_part_is_told_before_anything_else(files):
+def test_a_fixture_in_the_part_is_reported_before_anything_else(files):
     """The program that never touches the jaw was called safe but for warnings."""
     result = proved(files, write_side_jaw(files, 5.0), gouge="report")
     first, figures = result.findings[0], job.figures(result)
@@ -91,8 +91,8 @@ def test_a_fixture_in_the_part_is_told_before_anything_else(files):
     assert "The fixture jaw.stl stands in the part, more than 1 mm deep at" in first.text
     x, y, z = first.place
     assert 5 <= x <= 25 and 0 < y <= 5 and 0 <= z <= 6
-    told = verdict(figures, summary(figures))
-    assert told.light.name == "RED" and "NOT SAFE: a fixture stands in the part" in str(told.text)
+    sentence = verdict(figures, summary(figures))
+    assert sentence.light.name == "RED" and "NOT SAFE: a fixture stands in the part" in str(sentence.text)
 
 
 @pytest.mark.parametrize("against", [True, False])

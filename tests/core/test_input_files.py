@@ -36,9 +36,9 @@ def refused(capsys, *words):
     """The one line of a command that is refused; nothing may be written."""
     before = sorted(os.listdir())
     assert cli.main([str(word) for word in words]) == cli.UNUSABLE
-    told = capsys.readouterr().err
-    assert told.count("\n") == 1 and sorted(os.listdir()) == before
-    return told
+    line = capsys.readouterr().err
+    assert line.count("\n") == 1 and sorted(os.listdir()) == before
+    return line
 
 
 MILL = ("mill", "part.stl", *MACHINE, "--stepover", "5", "-o", "o.ngc")
@@ -79,14 +79,14 @@ def test_a_wrong_file_is_named_with_its_option_and_the_remedy(case, files, capsy
 def test_a_job_file_says_it_by_the_same_option(files, capsys):
     job = {"task": "mill", "source": "part.stl", "machine": "trunnion_ac", "output": "o.ngc"}
     (files / "job.json").write_text(json.dumps(job | {"fixture": ["gone.stl"]}))
-    told = refused(capsys, "run", files / "job.json")
-    assert told.startswith("fiveaxis: --fixture: ") and "gone.stl does not exist" in told
+    line = refused(capsys, "run", files / "job.json")
+    assert line.startswith("fiveaxis: --fixture: ") and "gone.stl does not exist" in line
 
 
 @pytest.mark.parametrize(
     ("name", "text"), [("b.ngc", "G21\nG1 X1 Y2 \x7f\nG1 X2\nM2\n"), ("b.apt", "GOTO/1,2\n")]
 )
-def test_text_that_cannot_be_read_is_told_behind_its_file(name, text, files, capsys):
+def test_text_that_cannot_be_read_is_reported_behind_its_file(name, text, files, capsys):
     (files / name).write_text(text)
     words = ("audit", name) if name == "b.ngc" else ("post", name, "-o", "o.ngc")
     assert refused(capsys, *words, *MACHINE).startswith(f"fiveaxis: {name}: line ")
@@ -145,5 +145,5 @@ def test_a_part_that_a_table_names_is_looked_at_before_any_is_milled(parts, mess
 
 
 def test_so_are_the_other_files_of_a_batch(files, capsys):
-    assert "--fixture: " in (told := batch(capsys, ["part.stl"], fixture=["gone.stl"])) and "gone.stl" in told
+    assert "--fixture: " in (line := batch(capsys, ["part.stl"], fixture=["gone.stl"])) and "gone.stl" in line
     assert "--faces: " in batch(capsys, ["part.stl"], faces=["part.stl", "words.stl"])

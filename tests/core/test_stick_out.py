@@ -132,7 +132,7 @@ FREE_AXES = {"tool_axis": "auto", "gouge": "lift", "stepover": 8.0}
 
 
 @pytest.mark.thorough
-def test_with_free_tool_axes_the_length_is_told_of_this_path_and_a_shorter_tool_is_named_that_mill_frees():
+def test_with_free_tool_axes_the_length_is_stated_of_this_path_and_a_shorter_tool_is_named_that_mill_frees():
     """Beside a wall the tool may lean away from it: for the shorter tool `mill` lets it do so, and nothing
     hits. The finding said flatly that the longer one is the least."""
     chart = found(wall(40.0), **FREE_AXES)
@@ -161,7 +161,7 @@ def test_axes_that_no_tool_changes_leave_the_sentence_as_it_is(more, option):
     assert ("another path" in finding_of(chart)) == (option is not None) == bool(chart.stick_out.to_try)
 
 
-def test_a_length_that_is_needed_is_told_of_this_path_and_no_shorter_one_is_named():
+def test_a_length_that_is_needed_is_stated_of_this_path_and_no_shorter_one_is_named():
     chart = found(wall(40.0), cutter="ball:6:30", max_axis_angle=10.0, gouge="tilt")
     assert chart.stick_out.met is not None and not chart.stick_out.to_try
     assert "are needed" in finding_of(chart) and "by --gouge tilt another tool is given another path" in (

@@ -136,6 +136,12 @@ class Code(str, Enum):
         "",
         "the cutter's bottom stands in the part before or behind its contact",
     )
+    HIGH_SCALLOPS = (
+        "high-scallops",
+        NOTE,
+        "mm",
+        "passes that turn in corners or end at edges leave more than the scallop there",
+    )
     LEAST_INTERVAL = (
         "least-interval",
         WARNING,

@@ -42,6 +42,7 @@ from freecad_fiveaxis.core.passes.radial_passes import unit_axis
 from .avoided import facets_off, keep_off_of
 from .blockers import list_blockers
 from .bounded import boundary_of, facets_inside
+from .collision_avoidance import tells_of_less
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis
 from .machine_around import bodies_in_pose
@@ -101,6 +102,7 @@ def mill_context(
     else:
         keep, left_out = _choose_by_angle(context)
         context = replace(context, keep=keep)
+    context = replace(context, unreached=tells_of_less(left_out))
     return context, area.findings + report_far_side(mesh) + left_out
 
 

@@ -71,9 +71,9 @@ def _correct_axes(
     options = axis_corrections(context)
     offset, given = correction.rows(draft.offset, draft.axis, options)
     axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
-    led = link_contacts(context, offset, axis)
+    linked = link_contacts(context, offset, axis)
     lifts = draft.fixtures and draft.settings.gouge.gouge in ("lift", "tilt")
-    return solve_path(lift_rows(context, led).path if lifts else led, where, progress)
+    return solve_path(lift_rows(context, linked).path if lifts else linked, where, progress)
 
 
 CURES: Mapping[str, Callable[[PostedProgram], Cure]] = {
