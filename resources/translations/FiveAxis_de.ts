@@ -4219,6 +4219,10 @@
         <translation>konischer Torus</translation>
     </message>
     <message>
+        <source>the command line</source>
+        <translation>die Kommandozeile</translation>
+    </message>
+    <message>
         <source>the head</source>
         <translation>den Kopf</translation>
     </message>
@@ -4455,6 +4459,10 @@
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+    <message>
+        <source>“Audit an NC file”</source>
+        <translation>„NC-Datei prüfen“</translation>
     </message>
     <message>
         <source>“Post-process”</source>
