@@ -7588,6 +7588,10 @@
         <translation>keine Facette kann bearbeitet werden: über keiner der gewählten darf die Werkzeugachse stehen</translation>
     </message>
     <message>
+        <source>no facet can be cut: the part stands on all that is to be cut; turn it over, or have it cut as it lies with {max_axis_angle}</source>
+        <translation>keine Facette kann gefräst werden: Auf allem, was zu fräsen ist, steht das Teil; wenden Sie es, oder lassen Sie es mit {max_axis_angle} fräsen, wie es liegt</translation>
+    </message>
+    <message>
         <source>no facet can be cut: {across} % of the area lie across the axis of the passes or face it, {beyond} % need a tool axis beyond the machine's rotary limits; give the axis about which the part is turned, or take another machine</source>
         <translation>keine Facette kann bearbeitet werden: {across} % der Fläche liegen quer zur Achse der Bahnen oder sind ihr zugewandt, {beyond} % brauchen eine Werkzeugachse jenseits der Drehgrenzen der Maschine; geben Sie die Achse an, um die das Werkstück gedreht wird, oder nehmen Sie eine andere Maschine</translation>
     </message>

@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.base.sentences import Number, say
 from .triangles import Mesh, from_columns, join_loose
 
 HEADER = 84  # bytes: header text and count
+BOM = b"\xef\xbb\xbf"  # with which editors of Windows begin a text
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 
 _BYTES = 190
@@ -120,7 +121,7 @@ def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
                 return _binary_columns(stream, facets)
             stream.seek(0)
             _check_room(size // _ASCII_BYTES)
-            data = stream.read()
+            data = stream.read().removeprefix(BOM)
     except FileError:
         raise
     except OSError as problem:
@@ -142,7 +143,7 @@ def check_stl_beginning(start: bytes, size: int) -> None:
     not looked at. Raises MeshError."""
     facets = int.from_bytes(start[80:HEADER], "little")
     if size != HEADER + RECORD.itemsize * facets:
-        _check_text(start, facets, size)
+        _check_text(start.removeprefix(BOM), facets, size)
 
 
 def _check_room(facets: int) -> None:
