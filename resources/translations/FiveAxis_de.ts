@@ -5056,6 +5056,10 @@
         <translation>In {where} bewegt sich die Werkzeugspitze mehr als {factor}-mal schneller oder langsamer als gewollt über das Werkstück: am schlimmsten {feed} in NC-Zeile {line}, wo {meant}. </translation>
     </message>
     <message>
+        <source>Inside corners are tighter than the cutter, but the map of what is left finds nowhere more in them than may stay: twice the scallop and the tolerance.</source>
+        <translation>Innenecken sind enger als der Fräser, doch die Restmaterialkarte findet in ihnen nirgends mehr, als stehen bleiben darf: das Doppelte der Rillenhöhe und die Toleranz.</translation>
+    </message>
+    <message>
         <source>It cannot be clamped shorter.</source>
         <translation>Kürzer lässt es sich nicht spannen.</translation>
     </message>

@@ -10,7 +10,7 @@ from gouge_examples import prism, step
 from revolved import solid_of_revolution
 from thorough import some_in_core
 
-from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import report_finding
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -163,6 +163,21 @@ def test_whole_stretches_in_a_corner_have_what_stays_looked_for():
     corner = report_finding(Code.CORNER_NOT_REACHED, say("A corner."))
     assert leaves_out((replace(corner, within=0.0),)) and not leaves_out((corner,))
     assert leaves_out((found_of(Code.AXIS_INTO_PART, 3.0, None),)) and not leaves_out(())
+
+
+@some_in_core("rest", ["off", "on"])
+@pytest.mark.parametrize(("scallop", "severity"), [(0.2, Severity.NOTE), (0.01, Severity.WARNING)])
+def test_a_corner_in_which_the_map_finds_nothing_is_a_note(scallop, severity, rest):
+    """A valley whose sides rise by 0.35 in 1: a ball of 3 mm leaves 3 (1 / cos 19.3 deg - 1) = 0.18 mm in
+    it."""
+    valley = prism([(-10, 0), (10, 0), (10, 6), (0, 2.5), (-10, 6)], 10.0)
+    given = {"machine": "trunnion_ac", "cutter": "ball:6", "scallop": scallop, "spindle": "off", "rest": rest}
+    result = job.prove(job.make(build_settings("mill", "valley", given), mesh=valley))
+    (corner,) = [one for one in result.findings if one.code == Code.CORNER_NOT_REACHED]
+    assert corner.severity is severity
+    assert (Code.UNCUT in {one.code for one in result.findings}) == (severity is Severity.WARNING)
+    figures = job.figures(result)
+    assert ("inside corner" in verdict(figures, summary(figures)).text) == (severity is Severity.WARNING)
 
 
 GROOVE = prism([(-15, 0), (15, 0), (15, 10), (6, 10), (3, 2), (-3, 2), (-6, 10), (-15, 10)], 20.0)

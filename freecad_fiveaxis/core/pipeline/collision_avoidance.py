@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints
 from freecad_fiveaxis.core.base.sentences import say
@@ -213,7 +213,7 @@ def still_true(
 ) -> tuple[Finding, ...]:
     """Return the findings without those that the check of the finished program and the map of what is left,
     where there were any, have settled, by the findings ``later`` than these: a side of which the map finds
-    less than half uncut is swept from its neighbours."""
+    less than half uncut is swept from its neighbours, and corners in which it finds nothing are notes."""
     uncut = area_of(later, Code.UNCUT) if rest is not None else math.inf
 
     def stays(one: Finding) -> bool:
@@ -221,7 +221,23 @@ def still_true(
             return (one.value or 0.0) <= 2.0 * uncut
         return check is None or one.code not in JUDGED
 
-    return tuple(one for one in findings if stays(one))
+    true = tuple(one for one in findings if stays(one))
+    return true if rest is None else settle_corners(true, later)
+
+
+def settle_corners(findings: tuple[Finding, ...], later: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Return the findings, inside corners tighter than the cutter as notes where a map of what is left was
+    made and the findings ``later``, which hold what it found, tell of nothing uncut."""
+    if any(one.code == Code.UNCUT for one in later):
+        return findings
+    text = say(
+        "Inside corners are tighter than the cutter, but the map of what is left finds nowhere more in them "
+        "than may stay: twice the scallop and the tolerance."
+    )
+    return tuple(
+        replace(one, severity=Severity.NOTE, text=text) if one.code == Code.CORNER_NOT_REACHED else one
+        for one in findings
+    )
 
 
 def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
@@ -242,7 +258,7 @@ def divide_unfinished(
     for code, area in _divide_uncut(findings).items():
         beyond[code] += area / whole
     share = compute_unfinished_share(findings, mesh, keep)
-    codes = {one.code for one in findings}
+    codes = {one.code for one in findings if one.severity is not Severity.NOTE}
     at_least = Code.CORNER_NOT_REACHED in codes and Code.UNCUT not in codes and not mapped
     return Unfinished(share, beyond, area_of(findings, *BY_SETTINGS) / whole, at_least)
 

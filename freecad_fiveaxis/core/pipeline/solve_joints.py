@@ -18,7 +18,13 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.tool.body import CUTTER
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .collision_avoidance import compute_commanded_motion, find_uncut, leaves_out, tells_of_less
+from .collision_avoidance import (
+    compute_commanded_motion,
+    find_uncut,
+    leaves_out,
+    settle_corners,
+    tells_of_less,
+)
 from .context import MillContext
 from .driving import drive, post_path
 from .options import compute_driven_to_surface, rapids_of, steps_over_strips, tip_to_driven, tool_body
@@ -110,6 +116,8 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     wide = settings.cutter.cutter.has_level_bottom or steps_over_strips(settings)
     suspected = solved.cured or wide or context.unreached or leaves_out(found) or tells_of_less(found)
     uncut = find_uncut(context, solved.path) if suspected else ()
+    if suspected and settings.gouge.rest == "off":
+        found = settle_corners(found, uncut)
     program = post_path(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,
