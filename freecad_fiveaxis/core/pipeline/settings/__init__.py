@@ -26,7 +26,16 @@ from .option import (
     WORKSHOP,
     option,
 )
-from .tree import FRAMES, Settings, build_settings, flat_options, is_part, option_fields, with_current_names
+from .tree import (
+    FRAMES,
+    Settings,
+    build_settings,
+    check_together,
+    flat_options,
+    is_part,
+    option_fields,
+    with_current_names,
+)
 
 __all__ = [
     "AUDIT",
@@ -52,6 +61,7 @@ __all__ = [
     "Settings",
     "SetupSettings",
     "build_settings",
+    "check_together",
     "flat_options",
     "is_part",
     "option",

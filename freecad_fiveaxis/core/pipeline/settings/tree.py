@@ -142,7 +142,7 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
         if "group" in top.metadata
     }
     settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
-    _check_together(settings)
+    check_together(settings)
     return settings
 
 
@@ -192,7 +192,8 @@ def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
     settings = _with_strategies(settings, given)
     if settings.head.rtcp != "off" and "linearize" not in given:
         settings = replace(settings, cure=replace(settings.cure, linearize="off"))
-    if settings.task == AUDIT and "gouge" not in given and not is_part(settings.audit.against or ""):
+    part = {AUDIT: settings.audit.against or "", COMPARE: settings.source}
+    if settings.task in part and "gouge" not in given and not is_part(part[settings.task]):
         settings = replace(settings, gouge=replace(settings.gouge, gouge="off"))
     return settings
 
@@ -224,7 +225,8 @@ def _check_reading(settings: Settings) -> None:
             )
 
 
-def _check_together(settings: Settings) -> None:
+def check_together(settings: Settings) -> None:
+    """Refuse settings that exclude each other. Raises SettingsError."""
     for check in (
         _check_named,
         _check_spacing,
