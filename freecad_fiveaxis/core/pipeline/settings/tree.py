@@ -192,8 +192,7 @@ def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
     settings = _with_strategies(settings, given)
     if settings.head.rtcp != "off" and "linearize" not in given:
         settings = replace(settings, cure=replace(settings.cure, linearize="off"))
-    part = {AUDIT: settings.audit.against or "", COMPARE: settings.source}
-    if settings.task in part and "gouge" not in given and not is_part(part[settings.task]):
+    if settings.task == AUDIT and "gouge" not in given and not is_part(settings.audit.against or ""):
         settings = replace(settings, gouge=replace(settings.gouge, gouge="off"))
     return settings
 

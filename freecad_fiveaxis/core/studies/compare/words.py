@@ -37,7 +37,7 @@ axes."""
 def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
     """Return the table for the terminal, and why cells are empty."""
     lines = [
-        _headline(rows, tolerance),
+        headline(rows, tolerance),
         "",
         *text_table(_table(rows, SHORT_HEAD)),
         *(f"{key}: {text}" for key, text in (*_problems(rows), *_shares(rows))),
@@ -65,7 +65,7 @@ def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None =
         ),
     ]
     mood = "open" if tolerance is None else "good" if _good(rows, tolerance) else "bad"
-    return page("The same path, compared", title, _headline(rows, tolerance), mood, body)
+    return page("The same path, compared", title, headline(rows, tolerance), mood, body)
 
 
 NOTE = (
@@ -119,7 +119,8 @@ def say_unchecked(rows: Sequence[Row]) -> Sentence | None:
     )
 
 
-def _headline(rows: Sequence[Row], tolerance: float | None) -> Sentence:
+def headline(rows: Sequence[Row], tolerance: float | None) -> Sentence:
+    """Return the verdict, and in how many ways nobody has looked whether the tool goes into the part."""
     unchecked = say_unchecked(rows)
     found = verdict(rows, tolerance)
     return found if unchecked is None else join_sentences((found, unchecked))
