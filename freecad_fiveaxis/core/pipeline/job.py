@@ -115,7 +115,7 @@ def make(
     check_bodies(settings, machine)
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
     if settings.task in (MILL, POST):
-        dialect = configure_dialect(settings, machine, dialect)
+        dialect = _configure_dialect(settings, machine, dialect)
     if settings.task == MILL:
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
         given = MillSource(settings, mesh, faces, fixtures)
@@ -218,7 +218,7 @@ def _facets_in(
     )
 
 
-def configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
+def _configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
     """Return the dialect as it is to be written: safe start, high-speed mode, tip guided. Raises
     SettingsError, before the long work, for what the controller has not, and for a head that cannot be
     written."""

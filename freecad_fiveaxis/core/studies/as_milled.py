@@ -2,17 +2,21 @@
 """The joints of a comparison's rows, as ``mill`` makes them on each machine with the options of each cure.
 
 kept      what two cures have in common on a machine is made once: contacts with the strategy's tool axes
-          where only a correction differs, the CL path where only blocks are divided. Each process keeps its
-          own, of the last machine, as long as the draft lives.
+          where only a correction differs, the CL path where only blocks are divided. So are passes and lifts
+          for machines that keep the same facets. Each process keeps its own, what is one machine's of the
+          last one only, as long as the draft lives.
 """
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import partial
 from typing import Any
 from weakref import WeakKeyDictionary
+
+import numpy as np
 
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.base.findings import Finding
@@ -24,6 +28,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.orientation.axis_corrections import AxisCorrection
 from freecad_fiveaxis.core.pipeline.avoided import check_keep_off
+from freecad_fiveaxis.core.pipeline.build_path import lift_path
 from freecad_fiveaxis.core.pipeline.collision_avoidance import (
     check_for_gouges,
     compute_unfinished_share,
@@ -31,12 +36,12 @@ from freecad_fiveaxis.core.pipeline.collision_avoidance import (
 )
 from freecad_fiveaxis.core.pipeline.context import MillContext
 from freecad_fiveaxis.core.pipeline.fewer_axes import refuse_what_needs_more_axes
-from freecad_fiveaxis.core.pipeline.job import begin_mill, configure_dialect
+from freecad_fiveaxis.core.pipeline.job import begin_mill
 from freecad_fiveaxis.core.pipeline.milling import FROM_JOINTS, TO_AXES, TO_PATH, begin, run_stages
 from freecad_fiveaxis.core.pipeline.options import axis_corrections, resolve_setup
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, MillSource, PostedProgram
-from freecad_fiveaxis.core.pipeline.records import AssignedAxes, LinkedPath
-from freecad_fiveaxis.core.pipeline.settings import CureSettings, Settings, check_together
+from freecad_fiveaxis.core.pipeline.records import AssignedAxes, LinkedPath, OffsetContacts
+from freecad_fiveaxis.core.pipeline.settings import CureSettings, MachineSettings, Settings, check_together
 from freecad_fiveaxis.core.pipeline.solve_joints import solve_joints
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
@@ -116,14 +121,14 @@ class AsMilled:
     ) -> tuple[LinkedPath, MillContext, tuple[Finding, ...]]:
         kept, key = _kept_of(self.draft, where), ("axes", _without_cure(settings))
         begun, reports, assigned = kept.find(key, lambda: self._assign(settings, where, progress))
-        dialect = configure_dialect(_guided(settings, where), where.machine, where.posting.dialect)
+        dialect = _choose_guide(settings, where.posting.dialect)
         own = replace(begun.settings, cure=settings.cure, head=settings.head)
         context = replace(begun, settings=own, dialect=dialect, progress=progress)
         if self.correction is not None:
             corrected = _correct(self.correction, context, assigned)
             return run_stages(TO_PATH[1:], context, corrected), context, reports
-        path = ("path", _undivided(own))
-        return kept.find(path, lambda: run_stages(TO_PATH, context, assigned)), context, reports
+        path, stages = ("path", _undivided(own)), [self._lift if one is lift_path else one for one in TO_PATH]
+        return kept.find(path, lambda: run_stages(stages, context, assigned)), context, reports
 
     def _assign(
         self, settings: Settings, where: Station, progress: Progress
@@ -133,7 +138,28 @@ class AsMilled:
         context, reports = begin_mill(
             settings, where.machine, where.kinematics, where.posting.dialect, given, progress
         )
-        return replace(context, progress=silent), reports, run_stages(TO_AXES, context, begin(context))
+        passes = self._offset(context)
+        return replace(context, progress=silent), reports, run_stages(TO_AXES[2:], context, passes)
+
+    def _offset(self, context: MillContext) -> OffsetContacts:
+        """Return the passes and their offset, which depend on the machine only by what facets are kept."""
+
+        def make() -> OffsetContacts:
+            made: OffsetContacts = run_stages(TO_AXES[:2], context, begin(context))
+            return made
+
+        if context.frames is not None:  # each machine has its own
+            return make()
+        passes: OffsetContacts = _shared_of(self.draft).find(_passes_key(context), make)
+        return passes
+
+    def _lift(self, context: MillContext, linked: LinkedPath) -> LinkedPath:
+        """Lift the tool out of the part: the same on every machine that has the same path there."""
+        key = ("lift", context.settings.head.rtcp, digest_of(linked.path))
+        plain = replace(linked, cured=False, entering=0.0)
+        lifted: LinkedPath = _shared_of(self.draft).find(key, lambda: lift_path(context, plain))
+        cured, entering = linked.cured or lifted.cured, max(linked.entering, lifted.entering)
+        return replace(linked, path=lifted.path, cured=cured, entering=entering)
 
 
 def _base(draft: MilledProgram) -> Settings:
@@ -152,11 +178,10 @@ def _without_cure(settings: Settings) -> Settings:
     return replace(settings, cure=CureSettings(), head=head)
 
 
-def _guided(settings: Settings, where: Station) -> Settings:
-    """Return settings whose tip is guided only by a controller that can: of others the blocks are told as
-    they would be."""
-    able = settings.head.rtcp in where.posting.dialect.guides
-    return settings if able else with_options(settings, {"head": {"rtcp": "off"}})
+def _choose_guide(settings: Settings, dialect: Dialect) -> Dialect:
+    """Return the dialect with the tip guided where that is asked for and the controller can: of others the
+    blocks are told as they would be."""
+    return dialect.guide_by(settings.head.rtcp) if settings.head.rtcp in dialect.guides else dialect
 
 
 def _correct(correction: AxisCorrection, context: MillContext, assigned: AssignedAxes) -> AssignedAxes:
@@ -186,11 +211,10 @@ def _find_entries(context: MillContext, program: Program, progress: Progress) ->
     return found + enters_table(context, program) + check_keep_off(context, program)
 
 
-class _Kept:
-    """What was made for one machine in one setup, by the settings that it was made with."""
+class _Made:
+    """What was made, by what it was made with."""
 
-    def __init__(self, machine: Machine, setup: Setup) -> None:
-        self.machine, self.setup = machine, setup
+    def __init__(self) -> None:
         self._made: list[tuple[object, Any]] = []
 
     def find(self, key: object, make: Callable[[], Any]) -> Any:
@@ -207,6 +231,14 @@ class _Kept:
         self._made.append((key, made))
 
 
+class _Kept(_Made):
+    """What was made for one machine in one setup."""
+
+    def __init__(self, machine: Machine, setup: Setup) -> None:
+        super().__init__()
+        self.machine, self.setup = machine, setup
+
+
 class Seen:
     """Sees what the stages make, and keeps of it what other cures have in common with the draft."""
 
@@ -220,7 +252,7 @@ class Seen:
         self._context = context
         if isinstance(record, tuple):
             self._reports = record
-        if type(record) in (AssignedAxes, LinkedPath):
+        if type(record) in (OffsetContacts, AssignedAxes, LinkedPath):
             self._records.append(record)
 
     def keep(self, draft: PostedProgram) -> None:
@@ -229,13 +261,39 @@ class Seen:
             return
         kept = _Kept(draft.machine, resolve_setup(draft.settings, draft.machine)[1])
         context = replace(self._context, progress=silent)
-        kept.put(("axes", _without_cure(_base(draft))), (context, self._reports, self._records[0]))
+        offset, assigned = (
+            next(one for one in self._records if type(one) is kind) for kind in (OffsetContacts, AssignedAxes)
+        )
+        if context.frames is None:
+            _shared_of(draft).put(_passes_key(context), offset)
+        kept.put(("axes", _without_cure(_base(draft))), (context, self._reports, assigned))
         kept.put(("path", _undivided(context.settings)), self._records[-1])
         kept.put(("joints", context.settings), draft.joints)
         _ALL[draft] = [kept]
 
 
 _ALL: WeakKeyDictionary[MilledProgram, list[_Kept]] = WeakKeyDictionary()
+_SHARED: WeakKeyDictionary[MilledProgram, _Made] = WeakKeyDictionary()
+
+
+def _shared_of(draft: MilledProgram) -> _Made:
+    """Return what is kept for all machines."""
+    return _SHARED.setdefault(draft, _Made())
+
+
+def _passes_key(context: MillContext) -> tuple[object, ...]:
+    settings = replace(_without_cure(context.settings), machine=MachineSettings())
+    return "passes", settings, context.keep.tobytes()
+
+
+def digest_of(path: CLPath) -> bytes:
+    """Return a checksum of the columns of a path."""
+    whole = hashlib.sha256()
+    for leaf in fields(path):
+        column = getattr(path, leaf.name)
+        if isinstance(column, np.ndarray):
+            whole.update(np.ascontiguousarray(column).tobytes())
+    return whole.digest()
 
 
 def _kept_of(draft: MilledProgram, where: Station) -> _Kept:

@@ -7,6 +7,7 @@ from .groups import (
     FacesSettings,
     GougeSettings,
     HeadSettings,
+    MachineSettings,
     OutputSettings,
     SetupSettings,
 )
@@ -57,6 +58,7 @@ __all__ = [
     "FacesSettings",
     "GougeSettings",
     "HeadSettings",
+    "MachineSettings",
     "OutputSettings",
     "Settings",
     "SetupSettings",
