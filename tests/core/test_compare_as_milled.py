@@ -149,7 +149,7 @@ def test_what_goes_into_the_part_does_not_hold_and_is_not_the_quickest():
     assert deepest.severity is Severity.ERROR and deepest.code == Code.OVERCUT
 
 
-def test_what_is_not_checked_is_said_in_text_page_and_record():
+def test_text_page_and_record_say_what_is_not_checked():
     found = compared(VALLEY, "linearize", gouge="off", **NARROW)
     words = "In 2 of 2 ways it is not checked whether the tool goes into the part."
     assert words in as_text(found) and as_text(found).count("not checked\n") == 2
@@ -158,15 +158,15 @@ def test_what_is_not_checked_is_said_in_text_page_and_record():
 
 
 def test_cures_and_machines_that_have_stages_in_common_do_these_once(monkeypatch):
-    made = []
+    ran = []
     whole = as_milled.run_stages
-    monkeypatch.setattr(as_milled, "run_stages", lambda *given: made.append(given[0]) or whole(*given))
+    monkeypatch.setattr(as_milled, "run_stages", lambda *given: ran.append(given[0]) or whole(*given))
     passes, axes = as_milled.TO_AXES[:2], as_milled.TO_AXES[2:]
     compared(CAP, "none,linearize,deform", **GIVEN)
-    assert axes not in made and passes not in made, "those of the draft are taken"
-    made.clear()
+    assert axes not in ran and passes not in ran, "those of the draft are taken"
+    ran.clear()
     compared(CAP, "none,linearize,deform", "trunnion_ac,trunnion_bc", **{**GIVEN, "tool_axis": "facet_mean"})
-    assert made.count(axes) == 1 and passes not in made, "the other machine has the same passes"
+    assert ran.count(axes) == 1 and passes not in ran, "the other machine has the same passes"
 
 
 def test_a_machine_named_twice_is_one_line_before_the_work(tmp_path, capsys):

@@ -179,15 +179,15 @@ def test_a_fixture_in_the_part_is_one_line_with_exit_code_2_before_the_work(file
 
 def test_retracts_keep_off_the_box_of_part_and_fixture_as_in_mill(monkeypatch):
     """What the joint paths of both are asked to keep off, and with which tool."""
-    asked = []
+    calls = []
     for module in (stations, driving):
         whole = module.solve
         monkeypatch.setattr(
-            module, "solve", lambda *given, whole=whole, **more: asked.append(given) or whole(*given, **more)
+            module, "solve", lambda *given, whole=whole, **more: calls.append(given) or whole(*given, **more)
         )
     compared("none", holder="40x30")
-    assert len(asked) == 2, "the program of the draft, which is the row's own, and where the tip is guided"
-    (_, _, low, high, *_, milled_tool, _), (_, _, also_low, also_high, *_, tool, _) = asked
+    assert len(calls) == 2, "the program of the draft, which is the row's own, and where the tip is guided"
+    (_, _, low, high, *_, milled_tool, _), (_, _, also_low, also_high, *_, tool, _) = calls
     assert low.tolist() == also_low.tolist() == [0, -8, 0]
     assert high.tolist() == also_high.tolist() == [30, 20, 25]
     assert tool == milled_tool and len(tool.pieces) > 1

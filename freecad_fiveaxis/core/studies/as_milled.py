@@ -74,7 +74,7 @@ class AsMilled:
         for an axis of the draft's path that it cannot take up."""
         return self._try(with_options(_base(self.draft), self.options), where, progress)
 
-    def guided(self, where: Station, progress: Progress = silent) -> JointPath | None:
+    def solve_guided(self, where: Station, progress: Progress = silent) -> JointPath | None:
         """Return those that ``mill`` finds where the controller guides the tip; None where that excludes the
         options: blocks are the others' then."""
         settings = with_options(_base(self.draft), self.options)
@@ -82,7 +82,7 @@ class AsMilled:
             return None
         return self._try(with_options(settings, {"head": {"rtcp": "angles"}}), where, progress)
 
-    def left_out(self, where: Station, progress: Progress = silent) -> float:
+    def compute_left_out(self, where: Station, progress: Progress = silent) -> float:
         """Return the share, 0 to 1, of the surface asked for that the program does not cut, because no tool
         axis of the machine or no free one is there."""
         settings = self._on(with_options(_base(self.draft), self.options), where)
@@ -111,7 +111,7 @@ class AsMilled:
             joints: JointPath = run_stages(FROM_JOINTS[1:], context, solve_joints(context, linked)).joints
             return joints
         own = context.settings
-        joints = _kept_of(self.draft, where).find(
+        joints = _find_kept(self.draft, where).find(
             ("joints", own), lambda: run_stages(FROM_JOINTS, context, solve_joints(context, linked)).joints
         )
         return joints
@@ -119,7 +119,7 @@ class AsMilled:
     def _link(
         self, settings: Settings, where: Station, progress: Progress
     ) -> tuple[LinkedPath, MillContext, tuple[Finding, ...]]:
-        kept, key = _kept_of(self.draft, where), ("axes", _without_cure(settings))
+        kept, key = _find_kept(self.draft, where), ("axes", _without_cure(settings))
         begun, reports, assigned = kept.find(key, lambda: self._assign(settings, where, progress))
         dialect = _choose_guide(settings, where.posting.dialect)
         own = replace(begun.settings, cure=settings.cure, head=settings.head)
@@ -127,7 +127,10 @@ class AsMilled:
         if self.correction is not None:
             corrected = _correct(self.correction, context, assigned)
             return run_stages(TO_PATH[1:], context, corrected), context, reports
-        path, stages = ("path", _undivided(own)), [self._lift if one is lift_path else one for one in TO_PATH]
+        path, stages = (
+            ("path", _leave_undivided(own)),
+            [self._lift if one is lift_path else one for one in TO_PATH],
+        )
         return kept.find(path, lambda: run_stages(stages, context, assigned)), context, reports
 
     def _assign(
@@ -145,19 +148,19 @@ class AsMilled:
         """Return the passes and their offset, which depend on the machine only by what facets are kept."""
 
         def make() -> OffsetContacts:
-            made: OffsetContacts = run_stages(TO_AXES[:2], context, begin(context))
-            return made
+            offset: OffsetContacts = run_stages(TO_AXES[:2], context, begin(context))
+            return offset
 
         if context.frames is not None:  # each machine has its own
             return make()
-        passes: OffsetContacts = _shared_of(self.draft).find(_passes_key(context), make)
+        passes: OffsetContacts = _find_shared(self.draft).find(_passes_key(context), make)
         return passes
 
     def _lift(self, context: MillContext, linked: LinkedPath) -> LinkedPath:
         """Lift the tool out of the part: the same on every machine that has the same path there."""
         key = ("lift", context.settings.head.rtcp, digest_of(linked.path))
         plain = replace(linked, cured=False, entering=0.0)
-        lifted: LinkedPath = _shared_of(self.draft).find(key, lambda: lift_path(context, plain))
+        lifted: LinkedPath = _find_shared(self.draft).find(key, lambda: lift_path(context, plain))
         cured, entering = linked.cured or lifted.cured, max(linked.entering, lifted.entering)
         return replace(linked, path=lifted.path, cured=cured, entering=entering)
 
@@ -167,7 +170,7 @@ def _base(draft: MilledProgram) -> Settings:
     return draft.settings if draft.given is None else draft.given.settings
 
 
-def _undivided(settings: Settings) -> Settings:
+def _leave_undivided(settings: Settings) -> Settings:
     """Return the settings as far as the CL path depends on them."""
     return replace(settings, cure=replace(settings.cure, linearize="off"))
 
@@ -211,27 +214,27 @@ def _find_entries(context: MillContext, program: Program, progress: Progress) ->
     return found + enters_table(context, program) + check_keep_off(context, program)
 
 
-class _Made:
+class _Store:
     """What was made, by what it was made with."""
 
     def __init__(self) -> None:
-        self._made: list[tuple[object, Any]] = []
+        self._items: list[tuple[object, Any]] = []
 
     def find(self, key: object, make: Callable[[], Any]) -> Any:
         """Return what was made under an equal key, else make it."""
-        for known, made in self._made:
+        for known, result in self._items:
             if known == key:
-                return made
-        made = make()
-        self.put(key, made)
-        return made
+                return result
+        result = make()
+        self.put(key, result)
+        return result
 
-    def put(self, key: object, made: object) -> None:
+    def put(self, key: object, result: object) -> None:
         """Keep what was made under a key."""
-        self._made.append((key, made))
+        self._items.append((key, result))
 
 
-class _Kept(_Made):
+class _Kept(_Store):
     """What was made for one machine in one setup."""
 
     def __init__(self, machine: Machine, setup: Setup) -> None:
@@ -265,20 +268,20 @@ class Seen:
             next(one for one in self._records if type(one) is kind) for kind in (OffsetContacts, AssignedAxes)
         )
         if context.frames is None:
-            _shared_of(draft).put(_passes_key(context), offset)
+            _find_shared(draft).put(_passes_key(context), offset)
         kept.put(("axes", _without_cure(_base(draft))), (context, self._reports, assigned))
-        kept.put(("path", _undivided(context.settings)), self._records[-1])
+        kept.put(("path", _leave_undivided(context.settings)), self._records[-1])
         kept.put(("joints", context.settings), draft.joints)
         _ALL[draft] = [kept]
 
 
 _ALL: WeakKeyDictionary[MilledProgram, list[_Kept]] = WeakKeyDictionary()
-_SHARED: WeakKeyDictionary[MilledProgram, _Made] = WeakKeyDictionary()
+_SHARED: WeakKeyDictionary[MilledProgram, _Store] = WeakKeyDictionary()
 
 
-def _shared_of(draft: MilledProgram) -> _Made:
+def _find_shared(draft: MilledProgram) -> _Store:
     """Return what is kept for all machines."""
-    return _SHARED.setdefault(draft, _Made())
+    return _SHARED.setdefault(draft, _Store())
 
 
 def _passes_key(context: MillContext) -> tuple[object, ...]:
@@ -296,7 +299,7 @@ def digest_of(path: CLPath) -> bytes:
     return whole.digest()
 
 
-def _kept_of(draft: MilledProgram, where: Station) -> _Kept:
+def _find_kept(draft: MilledProgram, where: Station) -> _Kept:
     """Return what is kept for a station: of the last machine only, for the pairs come machine by machine."""
     known = _ALL.get(draft, [])
     for kept in known:

@@ -65,8 +65,8 @@ class Station:
 
 Cure = Callable[[CLPath, Station, Progress], JointPath]
 """From the CL path to the joints of one station. One that makes other joints where the controller guides
-the tip has a method ``guided`` for these, of a station: None where they are the same; one that does not cut
-all of the surface has ``left_out``, the share of it."""
+the tip has a method ``solve_guided`` for these, of a station: None where they are the same; one that does not
+cut all of the surface has ``compute_left_out``, the share of it."""
 
 
 @dataclass(frozen=True)
@@ -213,14 +213,14 @@ class _Drives:
     @cached_property
     def guided(self) -> Drive:
         """That of the joints where the tip is guided. Raises FiveAxisError."""
-        own = getattr(self._cure, "guided", None)
+        own = getattr(self._cure, "solve_guided", None)
         joints = None if own is None else own(self.where, self._progress)
         return self.plain if joints is None else self._drive(joints)
 
     @cached_property
     def left_out(self) -> float:
         """The share of the surface that is not cut."""
-        own = getattr(self._cure, "left_out", None)
+        own = getattr(self._cure, "compute_left_out", None)
         return 0.0 if own is None else float(own(self.where, self._progress))
 
     def _drive(self, joints: JointPath) -> Drive:
@@ -241,9 +241,9 @@ def _row(drives: _Drives, name: str, guided: bool, progress: Progress) -> Row:
     where = drives.where
     make = _make_guided_row if guided else _make_unguided_row
     try:
-        made = drives.guided if guided else drives.plain
-        row = make(where, name, *made, progress)
-        return replace(row, left_out=drives.left_out, length=_fed_length(made.joints, made.program))
+        drive = drives.guided if guided else drives.plain
+        row = make(where, name, *drive, progress)
+        return replace(row, left_out=drives.left_out, length=_fed_length(drive.joints, drive.program))
     except Cancelled:
         raise
     except FiveAxisError as error:
