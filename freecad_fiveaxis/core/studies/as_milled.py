@@ -127,11 +127,10 @@ class AsMilled:
         if self.correction is not None:
             corrected = _correct(self.correction, context, assigned)
             return run_stages(TO_PATH[1:], context, corrected), context, reports
-        path, stages = (
-            ("path", _leave_undivided(own)),
-            [self._lift if one is lift_path else one for one in TO_PATH],
-        )
-        return kept.find(path, lambda: run_stages(stages, context, assigned)), context, reports
+        corrected = kept.find(_key_of_axes(own), lambda: run_stages(TO_PATH[:1], context, assigned))
+        stages = [self._lift if one is lift_path else one for one in TO_PATH[1:]]
+        path = ("path", _leave_undivided(own))
+        return kept.find(path, lambda: run_stages(stages, context, corrected)), context, reports
 
     def _assign(
         self, settings: Settings, where: Station, progress: Progress
@@ -179,6 +178,11 @@ def _without_cure(settings: Settings) -> Settings:
     """Return the settings as far as contacts and the strategy's axes depend on them."""
     head = replace(settings.head, rtcp="off")
     return replace(settings, cure=CureSettings(), head=head)
+
+
+def _key_of_axes(settings: Settings) -> tuple[object, ...]:
+    """Return the settings as far as corrected axes depend on them: whoever guides the tip."""
+    return "corrected", _leave_undivided(with_options(settings, {"head": {"rtcp": "off"}}))
 
 
 def _choose_guide(settings: Settings, dialect: Dialect) -> Dialect:
@@ -264,12 +268,12 @@ class Seen:
             return
         kept = _Kept(draft.machine, resolve_setup(draft.settings, draft.machine)[1])
         context = replace(self._context, progress=silent)
-        offset, assigned = (
-            next(one for one in self._records if type(one) is kind) for kind in (OffsetContacts, AssignedAxes)
-        )
+        offset = next(one for one in self._records if type(one) is OffsetContacts)
+        assigned, corrected, *_ = (one for one in self._records if type(one) is AssignedAxes)
         if context.frames is None:
             _find_shared(draft).put(_passes_key(context), offset)
         kept.put(("axes", _without_cure(_base(draft))), (context, self._reports, assigned))
+        kept.put(_key_of_axes(context.settings), corrected)
         kept.put(("path", _leave_undivided(context.settings)), self._records[-1])
         kept.put(("joints", context.settings), draft.joints)
         _ALL[draft] = [kept]
