@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 
+from sources import parse_source
+
 ROLES = "mod|class|func|meth|data|attr|exc|obj"
 ROLE = re.compile(rf":(?:{ROLES}):(?!:)(?:`~?([^`]*)`)?")
 DOTTED = re.compile(r"``([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)+)(?:\(\))?``")
@@ -57,7 +59,7 @@ class Package:
             parts = path.relative_to(folder.parent).with_suffix("").parts
             address = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
             home = address if parts[-1] == "__init__" else address.rpartition(".")[0]
-            tree = ast.parse(path.read_text(encoding="utf-8"))
+            tree = parse_source(path)
             self.modules[address] = _scope(address, tree, home)
             self._collect(tree, (self.modules[address],), str(path.relative_to(folder.parent)), frozenset())
 

@@ -89,6 +89,8 @@ def _tasks() -> dict[str, str]:
         "recover": translate("FiveAxis", "“Recover a machine from a program”"),
         "prove-signs": translate("FiveAxis", "“Prove the signs”"),
         "machines": translate("FiveAxis", "the list of machines"),
+        "audit": translate("FiveAxis", "“Audit an NC file”"),
+        "run": translate("FiveAxis", "the command line"),
     }
 
 

@@ -2167,6 +2167,10 @@
         <translation>Feste Achse I, J, K</translation>
     </message>
     <message>
+        <source>Fixture in the part</source>
+        <translation>Spannmittel im Werkstück</translation>
+    </message>
+    <message>
         <source>Fixtures</source>
         <translation>Spannmittel</translation>
     </message>
@@ -4227,6 +4231,10 @@
         <translation>konischer Torus</translation>
     </message>
     <message>
+        <source>the command line</source>
+        <translation>die Kommandozeile</translation>
+    </message>
+    <message>
         <source>the head</source>
         <translation>den Kopf</translation>
     </message>
@@ -4469,6 +4477,10 @@
         <translation>{} s</translation>
     </message>
     <message>
+        <source>“Audit an NC file”</source>
+        <translation>„NC-Datei prüfen“</translation>
+    </message>
+    <message>
         <source>“Post-process”</source>
         <translation>„NC-Datei ausgeben“</translation>
     </message>
@@ -4666,6 +4678,10 @@
     <message>
         <source>A positive word is taken for a positive value of its joint, which moves table or tool along or about its axis. Prove the signs before cutting.</source>
         <translation>Ein positives Wort gilt als positiver Wert seines Gelenks, das Tisch oder Werkzeug entlang seiner Achse oder um sie bewegt. Prüfen Sie die Vorzeichen, bevor Sie fräsen.</translation>
+    </message>
+    <message>
+        <source>A shorter one may then do: to try it, run {task} with {options}; it says whether that is free.</source>
+        <translation>Dann genügt vielleicht ein kürzeres: zum Versuch {task} mit {options} ausführen; dort steht, ob das frei ist.</translation>
     </message>
     <message>
         <source>A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say CYCLE/OFF before.</source>
@@ -5092,6 +5108,10 @@
         <translation>Er liegt</translation>
     </message>
     <message>
+        <source>JSON text</source>
+        <translation>ein JSON-Text</translation>
+    </message>
+    <message>
         <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero, where the tool sticks out {length}: {sides}.</source>
         <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus, bei einer Auskragung des Werkzeugs von {length}: {sides}.</translation>
     </message>
@@ -5348,6 +5368,10 @@
         <translation>Die Bahnen liegen {stepover} auseinander, der Fräser ist {width} breit: Die Streifen dazwischen bleiben stehen. Mit {option} einen kleineren Abstand angeben oder mit {scallop}, wie viel stehen bleiben darf.</translation>
     </message>
     <message>
+        <source>Passes leave more than {scallop} where they turn in corners or end at edges: on at least {area}, {percent} % of what is cut, most at {place}: {height}. The map of what is left ({left}) measures the program itself. A smaller {option} leaves less there.</source>
+        <translation>Wo Bahnen in Ecken umlenken oder an Kanten enden, lassen sie mehr als {scallop} stehen: auf mindestens {area}, {percent} % der zu fräsenden Fläche, am meisten bei {place}: {height}. Die Restmaterialkarte ({left}) misst das Programm selbst. Eine kleinere Angabe für {option} lässt dort weniger stehen.</translation>
+    </message>
+    <message>
         <source>Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. Choose other passes, or a smaller stepover or scallop, for those.</source>
         <translation>Bahnen berühren keine der {count} Facetten von {area}, die zu fräsen sind: Sie liegen längs der Bahnen oder zwischen zweien. Für diese andere Bahnen wählen, oder einen kleineren Bahnabstand oder eine kleinere Rauhöhe.</translation>
     </message>
@@ -5388,8 +5412,8 @@
         <translation>SEQ verlangt eine Stellung jenseits der Grenzen</translation>
     </message>
     <message>
-        <source>STL file {path} cannot be read: {strerror}</source>
-        <translation>Die STL-Datei {path} ist nicht lesbar: {strerror}</translation>
+        <source>STL file {path} cannot be read: {strerror}; check its name, its folder and your right to read it</source>
+        <translation>STL-Datei {path} kann nicht gelesen werden: {strerror}; Namen, Ordner und Leserecht prüfen</translation>
     </message>
     <message>
         <source>Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.</source>
@@ -5418,6 +5442,10 @@
     <message>
         <source>Stand {place}: largest deviation {whose} {deviation} instead of {now}, {times} times less.</source>
         <translation>Aufstellen: {place}. Größte Abweichung {whose} {deviation} statt {now}, {times}-mal weniger.</translation>
+    </message>
+    <message>
+        <source>Stand {place}: largest deviation {whose} {deviation}, as good as {now} in the present setup, which {why}.</source>
+        <translation>Aufstellen: {place}. Größte Abweichung {whose} {deviation}, so gut wie {now} in der jetzigen Aufspannung, die {why}.</translation>
     </message>
     <message>
         <source>Stand {place}: largest deviation {whose} {deviation}.</source>
@@ -5506,6 +5534,10 @@
     <message>
         <source>The first motion line does not say where {unknown} stand; they are taken as 0 there.</source>
         <translation>Die erste Bewegungszeile sagt nicht, wo {unknown} stehen; sie werden dort als 0 genommen.</translation>
+    </message>
+    <message>
+        <source>The fixture {fixture} stands in the part, more than {depth} deep at {at}: check its place and its units first. What else is told of it is told of that place.</source>
+        <translation>Das Spannmittel {fixture} steht im Werkstück, bei {at} mehr als {depth} tief: zuerst seinen Platz und seine Einheit prüfen. Was sonst von ihm gesagt wird, gilt für diesen Platz.</translation>
     </message>
     <message>
         <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
@@ -5876,6 +5908,10 @@
         <translation>Diese berühren einander, wenn alle Achsen auf null stehen; sie gelten als Nachbarn und wurden nicht gegeneinander geprüft: {names}.</translation>
     </message>
     <message>
+        <source>This is told of the path as it was made for {present}: by {axes_by} another tool is given another path.</source>
+        <translation>Das gilt für die Bahn, wie sie für {present} gemacht wurde: durch {axes_by} bekommt ein anderes Werkzeug eine andere Bahn.</translation>
+    </message>
+    <message>
         <source>Tighter than the cutter ({area}): its end does not fit there; use a smaller radius.</source>
         <translation>Zu eng für den Fräser ({area}): Sein Ende passt dort nicht hinein; nehmen Sie einen kleineren Radius.</translation>
     </message>
@@ -6036,6 +6072,10 @@
         <translation>einen CAM-Auftrag</translation>
     </message>
     <message>
+        <source>a CL file (APT)</source>
+        <translation>eine CL-Datei (APT)</translation>
+    </message>
+    <message>
         <source>a G65 beside another G code</source>
         <translation>ein G65 neben einem anderen G-Code</translation>
     </message>
@@ -6126,6 +6166,10 @@
     <message>
         <source>a fixture is in the way</source>
         <translation>ein Spannmittel ist im Weg</translation>
+    </message>
+    <message>
+        <source>a fixture stands in the part</source>
+        <translation>ein Spannmittel steht im Werkstück</translation>
     </message>
     <message>
         <source>a list of names</source>
@@ -6314,6 +6358,14 @@
     <message>
         <source>allow more frames</source>
         <translation>mehr Anstellungen zulassen</translation>
+    </message>
+    <message>
+        <source>an NC program</source>
+        <translation>ein NC-Programm</translation>
+    </message>
+    <message>
+        <source>an STL file</source>
+        <translation>eine STL-Datei</translation>
     </message>
     <message>
         <source>an arc does not pass through the points beside it</source>
@@ -6996,6 +7048,10 @@
         <translation>ist kein JSON ({error})</translation>
     </message>
     <message>
+        <source>is turned farther</source>
+        <translation>weiter gedreht ist</translation>
+    </message>
+    <message>
         <source>it calls more than {most} programs</source>
         <translation>es ruft mehr als {most} Programme auf</translation>
     </message>
@@ -7168,8 +7224,8 @@
         <translation>seine {edge} Kante geht {way}</translation>
     </message>
     <message>
-        <source>job file {path} is not JSON: {error}</source>
-        <translation>die Auftragsdatei {path} ist kein JSON: {error}</translation>
+        <source>job file {path} is not JSON: {error}; correct that place, or name another file</source>
+        <translation>Auftragsdatei {path} ist kein JSON: {error}; diese Stelle berichtigen oder eine andere Datei nennen</translation>
     </message>
     <message>
         <source>job file {path} needs "task" (one of {tasks}) and "source", the file to read</source>
@@ -7262,6 +7318,10 @@
     <message>
         <source>let blocks be divided ({divide})</source>
         <translation>NC-Sätze teilen lassen ({divide})</translation>
+    </message>
+    <message>
+        <source>lies outside the region</source>
+        <translation>außerhalb des Bereichs liegt</translation>
     </message>
     <message>
         <source>limits and rates are assumed: no row tells them</source>
@@ -7476,6 +7536,26 @@
         <translation>Bewegungen ohne Achse behalten die letzte, die geneigt ist</translation>
     </message>
     <message>
+        <source>name another file</source>
+        <translation>eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes CL files)</source>
+        <translation>eine andere Datei nennen ({task} nimmt CL-Dateien)</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes NC programs)</source>
+        <translation>eine andere Datei nennen ({task} nimmt NC-Programme)</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes job files)</source>
+        <translation>eine andere Datei nennen ({task} nimmt Auftragsdateien)</translation>
+    </message>
+    <message>
+        <source>name another file ({task} takes parts)</source>
+        <translation>eine andere Datei nennen ({task} nimmt Werkstücke)</translation>
+    </message>
+    <message>
         <source>neighbouring facets disagree about which side is outside</source>
         <translation>benachbarte Facetten sind uneins, welche Seite außen ist</translation>
     </message>
@@ -7546,6 +7626,10 @@
     <message>
         <source>no facet can be cut: over none of those chosen the tool axis may stand</source>
         <translation>keine Facette kann bearbeitet werden: über keiner der gewählten darf die Werkzeugachse stehen</translation>
+    </message>
+    <message>
+        <source>no facet can be cut: the part stands on all that is to be cut; turn it over, or have it cut as it lies with {max_axis_angle}</source>
+        <translation>keine Facette kann gefräst werden: Auf allem, was zu fräsen ist, steht das Teil; wenden Sie es, oder lassen Sie es mit {max_axis_angle} fräsen, wie es liegt</translation>
     </message>
     <message>
         <source>no facet can be cut: {across} % of the area lie across the axis of the passes or face it, {beyond} % need a tool axis beyond the machine's rotary limits; give the axis about which the part is turned, or take another machine</source>
@@ -7892,6 +7976,10 @@
         <translation>die Bahnen liegen nicht dichter als der kleinste Abstand, und bis zu {value} hoch bleibt zwischen ihnen stehen</translation>
     </message>
     <message>
+        <source>passes that turn in corners or end at edges leave more than the scallop there</source>
+        <translation>wo Bahnen in Ecken umlenken oder an Kanten enden, bleiben höhere Kuppen stehen</translation>
+    </message>
+    <message>
         <source>passes were turned past the machine's pole</source>
         <translation>Bahnen wurden am Pol der Maschine vorbei gedreht</translation>
     </message>
@@ -8146,6 +8234,10 @@
     <message>
         <source>table</source>
         <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>takes longer</source>
+        <translation>länger dauert</translation>
     </message>
     <message>
         <source>the CL file has no tool {tool}; it has {listed}</source>
@@ -8900,8 +8992,8 @@
         <translation>das ist keine NC-Zeile; löschen, was vor dem Programm steht, oder in Klammern setzen</translation>
     </message>
     <message>
-        <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header</source>
-        <translation>das ist keine STL-Datei: ihre {size} Bytes beginnen weder mit „solid“, noch enthalten sie einen binären Kopf</translation>
+        <source>this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header; export the part as STL</source>
+        <translation>das ist keine STL-Datei: ihre {size} Bytes beginnen weder mit 'solid' noch enthalten sie einen binären Kopf; das Werkstück als STL exportieren</translation>
     </message>
     <message>
         <source>this machine cannot take up its normal</source>
@@ -8998,6 +9090,10 @@
     <message>
         <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
         <translation>zuerst das Werkstück um {turn} um Z durch seinen Nullpunkt drehen, gegen den Uhrzeigersinn, und nur eine Drehung erproben</translation>
+    </message>
+    <message>
+        <source>turns back more often</source>
+        <translation>öfter zurückdreht</translation>
     </message>
     <message>
         <source>two axes are called {letter}; give each a letter of its own</source>
@@ -9680,6 +9776,10 @@
         <translation>{first} und {second} drehen beide falsch herum</translation>
     </message>
     <message>
+        <source>{first} is {found} and {second} is {other}: the two are exchanged; name {second} first</source>
+        <translation>{first} ist {found} und {second} ist {other}: die beiden sind vertauscht; {second} zuerst nennen</translation>
+    </message>
+    <message>
         <source>{first} turns {turn} and {second} {other_turn}</source>
         <translation>{first} dreht {turn} und {second} {other_turn}</translation>
     </message>
@@ -10316,6 +10416,10 @@
         <translation>{option}: {fixture} steht im Werkstück, mehr als {depth} tief bei {at}; Ort und Einheiten prüfen</translation>
     </message>
     <message>
+        <source>{option}: {problem}</source>
+        <translation>{option}: {problem}</translation>
+    </message>
+    <message>
         <source>{output} does not end in {suffix}, as machine files do; name it so</source>
         <translation>{output} endet nicht auf {suffix} wie Maschinendateien; so benennen</translation>
     </message>
@@ -10330,6 +10434,10 @@
     <message>
         <source>{part} is no number</source>
         <translation>{part} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{part} with {finish}</source>
+        <translation>{part} mit {finish}</translation>
     </message>
     <message>
         <source>{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none in its panel.</source>
@@ -10348,8 +10456,8 @@
         <translation>{past} braucht die Bahnen des Werkstücks: mit {mill} verwenden; eine CL-Datei behält ihre Achsen</translation>
     </message>
     <message>
-        <source>{path} cannot be read: {strerror}</source>
-        <translation>{path} ist nicht lesbar: {strerror}</translation>
+        <source>{path} cannot be read: {strerror}; check its folder and your right to read it</source>
+        <translation>{path} kann nicht gelesen werden: {strerror}; Ordner und Leserecht prüfen</translation>
     </message>
     <message>
         <source>{path} cannot be the name of a file; give another</source>
@@ -10406,6 +10514,10 @@
     <message>
         <source>{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}</source>
         <translation>{path} ist schon da und nicht von dieser Serie; einen anderen Ordner wählen ({out}) oder {overwrite} angeben</translation>
+    </message>
+    <message>
+        <source>{path} is {found}, needed is {wanted}; {remedy}</source>
+        <translation>{path} ist {found}, gebraucht wird {wanted}; {remedy}</translation>
     </message>
     <message>
         <source>{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else</source>
@@ -10716,8 +10828,8 @@
         <translation>{what}: {part} liegt außerhalb; Durchmesser und Längen über 0 bis 10000 mm angeben</translation>
     </message>
     <message>
-        <source>{what} {path} cannot be read: {strerror}</source>
-        <translation>{what} {path} ist nicht lesbar: {strerror}</translation>
+        <source>{what} {path} cannot be read: {strerror}; check its name, its folder and your right to read it</source>
+        <translation>{what} {path} kann nicht gelesen werden: {strerror}; Namen, Ordner und Leserecht prüfen</translation>
     </message>
     <message>
         <source>{what} {path}: its bytes</source>

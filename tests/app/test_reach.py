@@ -127,7 +127,7 @@ def test_a_toolpath_gives_its_machine_tool_part_and_fixtures(doc, slot):
     assert "holder, fixture or machine" in held.Advice and "fixture" not in free.Advice
 
 
-def test_a_fixture_that_stands_in_the_part_is_refused_and_nothing_is_made(doc, slot):
+def test_a_fixture_that_stands_in_the_part_is_refused_and_nothing_is_computed(doc, slot):
     names = [one.Name for one in doc.Objects]
     pin = doc.addObject("Part::Box", "Pin")
     pin.Placement.Base = FreeCAD.Vector(10, 70, 5)

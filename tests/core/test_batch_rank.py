@@ -82,6 +82,16 @@ def test_each_part_has_its_own_ranks_and_a_single_job_none():
     assert c == "c.stl: none of 2 ways makes a program that is safe"
 
 
+def test_each_finish_has_its_own_ranks():
+    """The coarser the scallop, the less counts as unfinished."""
+    rows = [row_of("coarse", 1.0, scallop_mm=0.5), row_of("fine", 9.0, scallop_mm=0.05), row_of("broken", None, None, "failed"),
+            row_of("coarse too", 2.0, scallop_mm=0.5), row_of("steps", 0.0, stepover_mm=2.0)]  # fmt: skip
+    ranks = dict(places(rows))
+    assert ranks == {"coarse": 1, "coarse too": 2, "broken": None, "fine": None, "steps": None}
+    (line,) = rank.best_lines(rank.rank_rows(rows))
+    assert line == "a.stl with scallop 0.5 mm: best of 3: coarse, 1.0 % unfinished, 1 min"
+
+
 def test_ranks_are_in_every_report_and_those_of_a_merge_are_counted_anew(tmp_path):
     for folder, rows in (("x", [row_of("one", 3.0), row_of("two", 2.0)]), ("y", [row_of("one", 1.0)])):
         (tmp_path / folder).mkdir()

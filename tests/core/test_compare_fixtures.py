@@ -59,7 +59,7 @@ def test_each_row_meets_the_fixture_as_the_program_that_mill_makes(more):
     assert worst(row.fixtures) == worst(result.findings) and row.fixtures[0].value > 1.0
 
 
-def test_unless_it_is_said_otherwise_the_path_is_lifted_out_of_the_fixture_as_in_mill():
+def test_unless_another_cure_is_named_the_path_is_lifted_out_of_the_fixture_as_in_mill():
     row, result = compared("none").rows[0], milled()
     assert row.blocks == len(result.draft.program.words) and row.fixtures == ()
     assert not [one for one in result.findings if one.code == Code.FIXTURE_COLLISION]
@@ -99,7 +99,7 @@ def test_what_hits_a_fixture_is_not_among_the_ways_that_hold_and_the_table_says_
     assert compare_text(free.rows, 0.01).count(" free\n") == 2
 
 
-def test_without_fixtures_nothing_of_them_is_said():
+def test_without_fixtures_nothing_of_them_is_reported():
     found = compared("none", fixtures=())
     assert [row.fixtures for row in found.rows] == [None, None]
     for text in (as_text(found), compare_json(found.rows), compare_html(found.rows)):

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from sources import parse_source
 
 from freecad_fiveaxis.core.base import codes
 from freecad_fiveaxis.core.base.codes import Code, Severity
@@ -25,11 +26,7 @@ MARKERS = CORE / "report" / "drawing.py"
 
 @functools.cache
 def trees():
-    return {
-        path: ast.parse(path.read_text(encoding="utf-8"))
-        for path in CORE.rglob("*.py")
-        if path not in ELSEWHERE
-    }
+    return {path: parse_source(path) for path in CORE.rglob("*.py") if path not in ELSEWHERE}
 
 
 def calls(tree, name):

@@ -68,6 +68,51 @@ def test_a_clamp_in_the_way_is_hit_as_deep_as_dense_samples_say(files):
     assert verdict(job.figures(result), summary(job.figures(result))).light.name == "RED"
 
 
+def in_part(result):
+    return [one for one in result.findings if one.code == "fixture-in-part"]
+
+
+def write_side_jaw(files, deep):
+    """A jaw at the plate's front side, lower than its top, that stands so deep in it, mm."""
+    write_stl(clamp((5, -20, 0), (25, deep, 6)), files / "jaw.stl")
+    return "jaw.stl"
+
+
+@pytest.mark.parametrize("deep", [0.0, 0.9])
+def test_a_jaw_that_touches_or_is_pressed_into_the_part_changes_nothing(files, deep):
+    assert not in_part(proved(files, write_side_jaw(files, deep), gouge="report"))
+
+
+def test_a_fixture_in_the_part_is_reported_before_anything_else(files):
+    """The program that never touches the jaw was called safe but for warnings."""
+    result = proved(files, write_side_jaw(files, 5.0), gouge="report")
+    first, figures = result.findings[0], job.figures(result)
+    assert [first] == in_part(result) and first.severity.name == "ERROR"
+    assert "The fixture jaw.stl stands in the part, more than 1 mm deep at" in first.text
+    x, y, z = first.place
+    assert 5 <= x <= 25 and 0 < y <= 5 and 0 <= z <= 6
+    sentence = verdict(figures, summary(figures))
+    assert sentence.light.name == "RED" and "NOT SAFE: a fixture stands in the part" in str(sentence.text)
+
+
+@pytest.mark.parametrize("against", [True, False])
+def test_an_audit_tells_it_where_it_knows_the_part(files, against, capsys):
+    jaw = str(files / write_side_jaw(files, 5.0))
+    nc = files / "a.ngc"
+    nc.write_text("G21 G90 G94\nG1 X15 Y10 Z60 A0 C0 F100\nG1 X16\nM2\n")
+    words = ["audit", str(nc), "--machine", "trunnion_ac", "--cutter", "ball:6", "--fixture", jaw]
+    main(words + ["--against", str(files / "plate.stl")] * against)
+    assert ("The fixture jaw.stl stands in the part" in " ".join(capsys.readouterr().out.split())) == against
+
+
+def test_setup_refuses_it_as_reach_and_compare_do(files, capsys):
+    jaw = str(files / write_side_jaw(files, 5.0))
+    plate = str(files / "plate.stl")
+    assert main(["setup", plate, "--machine", "trunnion_ac", "--fixture", jaw, "--region", "1,1,0"]) == 2
+    (line,) = capsys.readouterr().err.strip().splitlines()
+    assert line.startswith("fiveaxis: --fixture: jaw.stl stands in the part, more than 1 mm deep at")
+
+
 def test_moved_away_by_as_much_it_is_free_and_a_tenth_nearer_it_is_not(files):
     outcome = proved(files, gouge="report").draft
     (depth,) = [one.value for one in hits(proved(files, "clamp.stl", gouge="report"))]

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import import_graph
 import pytest
+from sources import parse_source
 
 pytestmark = pytest.mark.texts
 
@@ -275,7 +276,7 @@ def test_functions_are_called_by_what_they_do():
     found = {
         f"{path.relative_to(PACKAGE).as_posix()}: {name}"
         for path in PACKAGE.rglob("*.py")
-        for name in participles_in(ast.parse(path.read_text(encoding="utf-8")))
+        for name in participles_in(parse_source(path))
     }
     assert found == set(STILL_PARTICIPLES)
 

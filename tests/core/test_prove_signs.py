@@ -2,6 +2,7 @@
 """The program that proves signs: where it leads every machine, right or wrong, and whether the sheet says
 so."""
 
+import math
 import re
 import shutil
 import subprocess
@@ -262,6 +263,36 @@ def test_what_goes_where_agrees_with_the_forward_kinematics(name, turn):
         elif "about itself" not in see:
             moved = -tool[0] - (0.0, 0.0, -1.0)  # the tip hangs below the pivot along the tool
             assert float(moved @ np.array(PLACES[goes])) * 100.0 == pytest.approx(float(size), abs=0.06)
+
+
+@pytest.mark.parametrize("lean", [45.0, 30.0, -60.0])
+@pytest.mark.parametrize("turn", [0.17, -0.4])
+def test_the_tip_of_a_nutating_head_swings_as_far_as_its_distance_from_the_leaning_axis_says(lean, turn):
+    """By the closed form of a turn about a line: square to the plane of axis and tip the tip moves by its
+    distance from the axis times the sine of the turn, whatever the axis leans."""
+    along = np.array([0.0, math.sin(math.radians(lean)), math.cos(math.radians(lean))])
+    head = next(axis for axis in load_machine("fork_head_bc").rotary if axis.letter == "B")
+    nutating = replace(head, direction=tuple(along.tolist()))
+    arm = np.array([0.0, -12.0, -260.0])
+    see, _ = rotary_seen(nutating, "C", turn, arm)
+    goes, size = re.search(r"the tip swings to the (\w+), ([\d.]+) mm for each 100 mm", see).groups()
+    moved = (
+        arm * math.cos(turn)
+        + np.cross(along, arm) * math.sin(turn)
+        + along * (along @ arm) * (1.0 - math.cos(turn))
+        - arm
+    )
+    distance = float(np.linalg.norm(np.cross(along, arm)))
+    assert moved @ np.array(PLACES[goes]) == pytest.approx(float(size) / 100.0 * distance, rel=3e-3)
+
+
+def test_a_head_whose_tip_hangs_beside_its_upright_axis_swings():
+    head = next(axis for axis in load_machine("fork_head_bc").rotary if axis.letter == "C")
+    beside = np.array([80.0, 0.0, -200.0])
+    assert "the tip swings to the back, 17.4 mm" in rotary_seen(head, "B", math.radians(10.0), beside)[0]
+    assert (
+        "the tool turns about itself" in rotary_seen(head, "B", math.radians(10.0), beside * (0.1, 0, 1))[0]
+    )
 
 
 def test_a_table_goes_the_other_way_than_the_tool_seen_from_the_part():

@@ -112,7 +112,7 @@ def test_the_area_beside_a_wall_that_the_ball_does_not_pass_is_that_of_the_close
     assert reach_map(BLOCK, reacher, side).without == ()
 
 
-def test_of_two_fixtures_each_is_told_what_it_alone_keeps_the_tool_from():
+def test_of_two_fixtures_each_is_reported_with_what_it_alone_keeps_the_tool_from():
     """Behind one wall another: to take away the farther one frees nothing, nor the nearer one what both
     stand over. A clamp on the other side is its own."""
     clamp = Fixture("clamp", from_triangles(box((-12, 8, 0), (-3, 16, 30))))

@@ -27,6 +27,7 @@ from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.setup_map import (  # fmt: skip
     Kind,
     Region,
+    SetupMap,
     advice,
     heat_map_html,
     heat_maps,
@@ -217,6 +218,53 @@ def test_where_no_direction_matters_the_part_stays():
     chart = setup_map(result.path, result.machine, Setup((0.0, 0.0, 0.0), 80.0), region, posting(result))
     assert chart.origin[chart.best] == pytest.approx([0.0, 0.0, 0.0], abs=1e-3)
     assert verdict(chart).startswith("The present setup is as good as any")
+
+
+def of_rows(deviation, best, rewinds=(0, 0, 0), time=(60.0, 60.0, 60.0), present=0.0, enough=0.0):
+    """A map of three setups: the present one, one of the grid, one that was found."""
+    zeros, yes = np.zeros(3), np.ones(3, bool)
+    return SetupMap(
+        machine="trunnion_ac", base=Setup((present, 0.0, 0.0)), region=Region((-1.0,) * 3, (1.0,) * 3),
+        origin=np.array([[present, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 0.0, 0.0]]), turn=zeros,
+        max_deviation=np.array(deviation), rotary_travel=zeros, time=np.array(time), over=zeros,
+        within_limits=yes, stands=yes, rewinds=np.array(rewinds), kind=np.array([0, 1, 2], np.int8), best=best,
+        least=min(deviation), table=0.0, bottom=0.0, hits=np.full(3, np.nan), enough=enough,
+    )  # fmt: skip
+
+
+def recommended(chart):
+    within = chart.able & chart.region.holds(chart.origin)
+    base, columns = chart.base.origin, (chart.max_deviation, chart.time, chart.rewinds)
+    return recommend_setup(chart.origin, base, *columns, within, chart.enough)
+
+
+@pytest.mark.parametrize("share", [1.0, 1.009, 1.011, 1.048, 1.06])
+@pytest.mark.parametrize("enough", [0.0, 1.03])
+def test_sentence_option_and_footnote_go_by_one_threshold(share, enough):
+    """A present setup 4.8 % above the least was called as good as any, above another one to give."""
+    chart = of_rows((share, 1.0, 1.0), None, enough=enough)
+    chart = replace(chart, best=recommended(chart))
+    stays = share <= max(1.01, enough)
+    assert chart.level == pytest.approx(max(1.0101, enough))
+    assert verdict(chart).startswith("The present setup is as good as any") == stays
+    assert (origin_option(chart) == "--origin=0,0,0") == stays
+    assert ("instead of" in verdict(chart)) == (not stays)
+    assert ("equally good" in setup_text(chart)) == (stays and share > 1.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "why"),
+    [
+        ({"rewinds": (2, 0, 0)}, "turns back more often"),
+        ({"time": (70.0, 60.0, 60.0)}, "takes longer"),
+        ({"present": 1.5}, "lies outside the region"),
+    ],
+)
+def test_a_present_setup_as_good_in_deviation_is_left_for_what_is_named(given, why):
+    chart = of_rows((1.005, 1.0, 1.0), None, **given)
+    chart = replace(chart, best=recommended(chart))
+    assert chart.best and f"as good as 1.005 mm in the present setup, which {why}." in verdict(chart)
+    assert "times less" not in verdict(chart)
 
 
 def test_limits_are_reported_where_they_are_left(chart):

@@ -13,6 +13,7 @@ from plain import build_settings
 from test_axis_field import NODES, take_nodes
 from underside_parts import PARTS
 
+from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.passes import report_standing, standing_facets
@@ -138,3 +139,13 @@ def test_a_program_built_again_from_what_its_report_says_is_the_same():
     assert again["max_axis_angle"] is None if "max_axis_angle" in again else True
     assert make(build_settings("mill", "part", again), block()).keep.tolist() == given.keep.tolist()
     assert make_result(block, max_axis_angle=180).keep.tolist() != given.keep.tolist()
+
+
+@pytest.mark.parametrize("passes", ["scallop", "frames"])
+def test_a_sheet_that_looks_down_is_refused_with_a_remedy_and_cut_where_that_is_taken(passes):
+    """As a plane face is that was exported with its normals reversed."""
+    sheet = from_triangles([[(0, 0, 0), (0, 20, 0), (20, 0, 0)], [(20, 0, 0), (0, 20, 0), (20, 20, 0)]])
+    with pytest.raises(ReachError, match=r"stands on all that is to be cut; turn it over.*--max-axis-angle"):
+        job.make(settings(passes=passes), mesh=sheet)
+    if passes == "scallop":
+        assert job.make(settings(max_axis_angle=180), mesh=sheet).keep.all()

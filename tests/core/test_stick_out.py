@@ -13,6 +13,7 @@ from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, write_stl
 from freecad_fiveaxis.core.geometry.solids import box_facets
@@ -121,6 +122,51 @@ def test_no_tool_is_proposed_that_would_have_no_length():
 def test_where_nothing_is_ever_met_only_the_rounded_end_of_the_cutter_limits_it():
     reported = found(plate(), max_axis_angle=10.0).stick_out
     assert reported.enough == pytest.approx(3.1) and reported.shorter is None
+
+
+def finding_of(chart):
+    return next(one.text for one in chart.findings if "stick-out" in one.code)
+
+
+FREE_AXES = {"tool_axis": "auto", "gouge": "lift", "stepover": 8.0}
+
+
+@pytest.mark.thorough
+def test_with_free_tool_axes_the_length_is_stated_of_this_path_and_a_shorter_tool_is_named_that_mill_frees():
+    """Beside a wall the tool may lean away from it: for the shorter tool `mill` lets it do so, and nothing
+    hits. The finding said flatly that the longer one is the least."""
+    chart = found(wall(40.0), **FREE_AXES)
+    reported = chart.stick_out
+    assert reported.shorter.enters == "holder" and str(reported.axes_by) == "--tool-axis auto"
+    shorter = dict(reported.to_try)["cutter"]
+    assert float(shorter.rpartition(":")[2]) == pytest.approx(reported.enough - stick_out.LESS)
+    assert (
+        "told of the path as it was made for 50 mm: by --tool-axis auto another tool is given another path. "
+        f"A shorter one may then do: to try it, run `mill` with --cutter {shorter}; it says"
+        in finding_of(chart)
+    )
+    given = {name: value for name, value in (GIVEN | FREE_AXES).items() if name not in ("region", "grid")}
+    settings = build_settings("mill", "part.stl", given | {"cutter": shorter, "spindle": "off"})
+    done = job.prove(job.make(settings, mesh=wall(40.0)))
+    assert not [one.text for one in done.findings if one.severity is Severity.ERROR]
+
+
+@pytest.mark.parametrize(
+    ("more", "option"),
+    [({"gouge": "tilt"}, "--gouge tilt"), ({"gouge": "leave-out"}, "--gouge leave-out"), (LIFTED, None)],
+)
+def test_axes_that_no_tool_changes_leave_the_sentence_as_it_is(more, option):
+    chart = found(wall(40.0), max_axis_angle=10.0, **more)
+    assert (str(chart.stick_out.axes_by) if chart.stick_out.axes_by else None) == option
+    assert ("another path" in finding_of(chart)) == (option is not None) == bool(chart.stick_out.to_try)
+
+
+def test_a_length_that_is_needed_is_stated_of_this_path_and_no_shorter_one_is_named():
+    chart = found(wall(40.0), cutter="ball:6:30", max_axis_angle=10.0, gouge="tilt")
+    assert chart.stick_out.met is not None and not chart.stick_out.to_try
+    assert "are needed" in finding_of(chart) and "by --gouge tilt another tool is given another path" in (
+        finding_of(chart)
+    )
 
 
 def test_without_a_holder_there_is_nothing_to_tell():

@@ -71,6 +71,7 @@ def test_an_ascii_file_is_read_to_the_last_digit(read):
         lambda text: text.replace("\n", "\r"),
         lambda text: text.replace("\n", "\n\n\t  "),
         lambda text: "  \n" + text + "\n\n",
+        lambda text: "\ufeff" + text,
         lambda text: text.replace("1.0", "+1.0E+00").replace("0.0", "-0.0e-3"),
         lambda text: text.replace("solid part", "solid"),
         lambda text: text.replace("solid part", "solid a solid part of facet normal 1 é"),

@@ -6,6 +6,7 @@ import ast
 import re
 
 import pytest
+from sources import parse_source
 from translation_script import ROOT
 
 OUR_OWN = re.compile(
@@ -38,10 +39,9 @@ def message_of(call):
     )
 
 
-def bare_sentences(source):
+def bare_sentences(tree):
     """Line and text of every finding and error that is given a bare text, or a name that the same function
     gave one."""
-    tree = ast.parse(source)
     functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
     for function in [tree, *functions]:
         given = {}
@@ -62,7 +62,7 @@ def test_every_finding_and_every_error_can_be_repeated():
     bare = []
     for path in sorted((ROOT / "freecad_fiveaxis").rglob("*.py")):
         if "gui" not in path.parts:
-            found = sorted(set(bare_sentences(path.read_text(encoding="utf-8"))))
+            found = sorted(set(bare_sentences(parse_source(path))))
             bare += [f"{path.relative_to(ROOT)}:{line}: {text}" for line, text in found]
     assert not bare, "said without say():\n" + "\n".join(bare)
 
@@ -79,7 +79,7 @@ def test_every_finding_and_every_error_can_be_repeated():
     ],
 )
 def test_a_bare_sentence_would_be_noticed(source):
-    assert list(bare_sentences(source))
+    assert list(bare_sentences(ast.parse(source)))
 
 
 @pytest.mark.parametrize(
@@ -92,4 +92,4 @@ def test_a_bare_sentence_would_be_noticed(source):
     ],
 )  # fmt: skip
 def test_what_is_stated_is_not_bare(source):
-    assert not list(bare_sentences(source))
+    assert not list(bare_sentences(ast.parse(source)))

@@ -7,6 +7,7 @@ import re
 import struct
 
 import pytest
+from sources import parse_source
 from translation_script import ROOT, translations
 
 from freecad_fiveaxis.app.option_texts import TEXTS, text_of
@@ -133,13 +134,11 @@ def test_a_word_of_the_command_line_would_be_noticed(text):
     assert COMMANDS.search(re.sub(r"\{\w*\}", "", text))
 
 
-def named_in(source):
+def named_in(tree):
     """What the sentences of a source name: ("Option" | "Choice" | "Task", name), and the choices as
     ("choice", name)."""
     for call in (
-        node
-        for node in ast.walk(ast.parse(source))
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+        node for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
     ):
         if call.func.id in ("Option", "Choice", "Task") and isinstance(call.args[0], ast.Constant):
             yield call.func.id, call.args[0].value
@@ -164,7 +163,7 @@ def test_all_that_a_sentence_names_has_a_name_in_the_window():
         for kind, names in NAMING.items()
     }
     core = ROOT / "freecad_fiveaxis" / "core"
-    named = {one for path in core.rglob("*.py") for one in named_in(path.read_text("utf-8"))}
+    named = {one for path in core.rglob("*.py") for one in named_in(parse_source(path))}
     assert {("Task", "setup"), ("Option", "spindle"), ("choice", "lift"), ("Choice", "linearize")} <= named
     assert not sorted((kind, name) for kind, name in named if name not in known[kind])
 
@@ -211,10 +210,9 @@ def has_words(text):
     return bool(re.search(r"[A-Za-z]{2}", re.sub(r"<[^<>]*>|&\w+;", "", text)))
 
 
-def bare_texts(source):
+def bare_texts(tree):
     """Words that a call of SHOWING gets without ``translate``, and helps of settings that are shown as they
     stand."""
-    tree = ast.parse(source)
     translated = {
         id(one)
         for call in ast.walk(tree)
@@ -239,7 +237,7 @@ def bare_texts(source):
 def test_the_window_shows_no_text_that_nobody_can_translate():
     bare = []
     for path in sorted((ROOT / "freecad_fiveaxis" / "gui").rglob("*.py")):
-        for line, text in bare_texts(path.read_text(encoding="utf-8")):
+        for line, text in bare_texts(parse_source(path)):
             bare.append(f"{path.relative_to(ROOT)}:{line}: {text}")
     assert not bare, "shown without translate():\n" + "\n".join(bare)
 
@@ -253,7 +251,7 @@ def test_the_window_shows_no_text_that_nobody_can_translate():
     ],
 )
 def test_a_bare_text_would_be_noticed(source):
-    assert list(bare_texts(source))
+    assert list(bare_texts(ast.parse(source)))
 
 
 @pytest.mark.parametrize(
@@ -262,7 +260,7 @@ def test_a_bare_text_would_be_noticed(source):
      "translate('App::Property', leaf.metadata['text'])", 'box.setObjectName("line")'],
 )  # fmt: skip
 def test_what_is_translated_or_no_word_is_not_bare(source):
-    assert not list(bare_texts(source))
+    assert not list(bare_texts(ast.parse(source)))
 
 
 def test_new_calls_are_found():

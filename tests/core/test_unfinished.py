@@ -165,6 +165,27 @@ def test_whole_stretches_in_a_corner_have_what_stays_looked_for():
     assert leaves_out((found_of(Code.AXIS_INTO_PART, 3.0, None),)) and not leaves_out(())
 
 
+GROOVE = prism([(-15, 0), (15, 0), (15, 10), (6, 10), (3, 2), (-3, 2), (-6, 10), (-15, 10)], 20.0)
+"""The floor is 6 mm wide, its sides lean by 21 degrees."""
+
+
+def milled_groove(cutter, rest):
+    given = {"machine": "trunnion_ac", "cutter": cutter, "scallop": 0.3, "spindle": "off", "rest": rest}
+    return job.prove(job.make(build_settings("mill", "groove", given), mesh=GROOVE))
+
+
+@some_in_core("cutter", ["ball:10", "ball:11"])
+def test_beside_what_is_out_of_reach_as_much_stays_as_the_map_finds(cutter):
+    """No cure changes anything here, and the floor alone, which no ball of 10 touches, is half of it."""
+    quick, mapped = (milled_groove(cutter, rest) for rest in ("off", "on"))
+    assert quick.draft.nc == mapped.draft.nc
+    share, exact = (summary(job.figures(one))["unfinished_share"] for one in (quick, mapped))
+    floor = sum(
+        one.value for one in quick.findings if one.code == Code.FACETS_WITHOUT_FREE_AXIS
+    ) / GROOVE.area[quick.draft.keep].sum()  # fmt: skip
+    assert share == pytest.approx(exact, rel=0.1) and share > 1.3 * floor > 0.0
+
+
 def turning():
     """A cylinder that passes about its axis cut as far as A leads."""
     return solid_of_revolution([(0.0, 15.0), (10.0, 15.0), (10.0, 0.0), (0.0, 0.0)], 48)

@@ -183,7 +183,7 @@ def test_faces_of_several_colours_and_small_shapes_have_no_copy(doc, tmp_path, c
     assert len(shown.stage.document.shapes) == 1
 
 
-def test_the_window_goes_on_while_a_copy_is_made(doc, tmp_path, part, few, opened, monkeypatch, until):
+def test_the_window_goes_on_while_a_copy_is_computed(doc, tmp_path, part, few, opened, monkeypatch, until):
     """Piece by piece, each an event of its own."""
     from freecad_fiveaxis.gui.play.document_copies import DocumentCopies
 
@@ -215,3 +215,28 @@ def test_while_time_passes_the_figures_are_written_now_and_then_and_at_a_pause_a
     monkeypatch.setattr(panel, "READ", 0.0)
     click(shown.controls.play)
     until(lambda: len(written) > 3, 20000, "the figures")
+
+
+def test_while_the_slider_is_dragged_figures_are_written_now_and_then_and_where_it_rests(
+    doc, tmp_path, opened, until, monkeypatch
+):
+    from freecad_fiveaxis.gui.play import panel
+
+    monkeypatch.setattr(panel, "READ", 0.3)
+    shown = opened(table_2(doc, tmp_path))
+    written, show = [], shown.readout.show
+    monkeypatch.setattr(shown.readout, "show", lambda *what: (written.append(what[0]), show(*what)))
+    slider = shown.controls.slider
+    slider.setSliderDown(True)
+    for value in range(100, 400, 10):
+        slider.setValue(value)
+    assert len(written) < 10
+    until(
+        lambda: written and np.allclose(written[-1].words, shown.player.pose.words),
+        20000,
+        "the figures at rest",
+    )
+    assert slider.isSliderDown()
+    slider.setValue(700)
+    slider.setSliderDown(False)
+    assert np.allclose(written[-1].words, shown.player.pose.words)

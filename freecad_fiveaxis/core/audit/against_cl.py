@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, number_runs
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, plural, say
 from freecad_fiveaxis.core.base.vectors import slerp
 from freecad_fiveaxis.core.geometry.nearest import Pieces, Segments, nearest, search
@@ -194,8 +194,7 @@ def _find_missed(
         return wanted, np.full(len(wanted), math.inf)
     spare = SHARE * tolerance
     count = np.clip(np.ceil(np.sqrt(deviation.bound[rows] / spare)), 1, MOST_CHORDS).astype(np.int64)
-    block = np.repeat(np.arange(len(rows)), count)
-    step = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
+    block, step = number_runs(count)
     share = [(step + more) / count[block] for more in (0.0, 1.0)]
     chords = Segments(*(real.places(rows[block], u) for u in share))
     distance = search(
@@ -221,16 +220,14 @@ def _own_ways(against: AgainstPath, places: Floats, axis: Floats, tolerance: flo
     last = last[len(last) - len(first) :]
     back = np.linalg.norm(places[last] - places[first - 1], axis=1) <= max(tolerance, ROUNDED)
     on_path = (against.end[first - 1] <= tolerance) & (against.end[last] <= tolerance) & (last > first)
-    run = np.repeat(
-        np.arange(len(first)), last - first
-    )  # all but the last block of each way end off the path
-    row = np.arange(len(run)) - np.repeat(np.cumsum(last - first) - (last - first), last - first) + first[run]
+    run, within = number_runs(last - first)  # all but the last block of each way end off the path
+    row = first[run] + within
     height = ((places[row] - places[first[run] - 1]) * axis[first[run] - 1]).sum(axis=1)
     lowest = np.full(len(first), np.inf)
     np.minimum.at(lowest, run, height)
     count = np.where(back & on_path & (lowest > 0.0), last - first + 1, 0)
-    step = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    own[np.repeat(first, count) + step] = True
+    run, within = number_runs(count)
+    own[first[run] + within] = True
     return own
 
 

@@ -136,6 +136,12 @@ class Code(str, Enum):
         "",
         "the cutter's bottom stands in the part before or behind its contact",
     )
+    HIGH_SCALLOPS = (
+        "high-scallops",
+        NOTE,
+        "mm",
+        "passes that turn in corners or end at edges leave more than the scallop there",
+    )
     LEAST_INTERVAL = (
         "least-interval",
         WARNING,
@@ -358,6 +364,7 @@ class Code(str, Enum):
     BURIED = "buried", ERROR, "1", "the whole cutter is inside the part"
     CUT_TOO_DEEP = "cut-too-deep", ERROR, "mm", "more than the tolerance is missing on the surface"
     FIXTURE_COLLISION = "fixture-collision", ERROR, "mm", "the tool hits a fixture"
+    FIXTURE_IN_PART = "fixture-in-part", ERROR, "", "a fixture stands in the part"
     FIXTURE_NEAR = "fixture-near", WARNING, "mm", "the tool comes nearer to a fixture than the clearance"
     FIXTURE_UNPROVEN = "fixture-unproven", WARNING, "mm", "a rapid may hit a fixture on some way of the axes"
     HOLDER_COLLISION = "holder-collision", ERROR, "mm", "shank or holder enters the part"

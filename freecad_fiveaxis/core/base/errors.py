@@ -8,6 +8,10 @@ and says in one line what to do about it.
 
 from __future__ import annotations
 
+import contextlib
+import os
+from collections.abc import Iterator
+
 from .sentences import say
 
 
@@ -21,6 +25,12 @@ class FiveAxisError(Exception):
     def __init__(self, message: str, value: object = None) -> None:
         super().__init__(message)
         self.text, self.value = message, value
+        self.file = ""
+        """The file whose text is wrong, where the message itself does not name it."""
+
+    def name_file(self) -> str:
+        """Return the message, behind the file where it does not name it."""
+        return f"{self.file}: {self}" if self.file else str(self)
 
 
 class MeshError(FiveAxisError, ValueError):
@@ -53,3 +63,13 @@ class Cancelled(FiveAxisError):
     def __init__(self, message: str | None = None, value: object = None) -> None:
         """Have a message by default: a thread that is stopped from outside raises the bare class."""
         super().__init__(say("stopped; nothing was changed") if message is None else message, value)
+
+
+@contextlib.contextmanager
+def naming_file(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Note the file whose text is read in a ProgramError that comes of it."""
+    try:
+        yield
+    except ProgramError as error:
+        error.file = error.file or os.fspath(path)
+        raise

@@ -75,7 +75,8 @@ def read_bytes(path: PathName, what: str) -> bytes:
     except OSError as error:
         raise FileError(
             say(
-                "{what} {path} cannot be read: {strerror}",
+                "{what} {path} cannot be read: {strerror}; check its name, its folder and your right "
+                "to read it",
                 what=what,
                 path=os.fspath(path),
                 strerror=error.strerror or error,
@@ -246,7 +247,12 @@ def check_readable(path: PathName) -> None:
         raise FileError(say("{path} does not exist; name the file to read", path=path), path) from error
     except OSError as error:
         raise FileError(
-            say("{path} cannot be read: {strerror}", path=path, strerror=error.strerror or error), path
+            say(
+                "{path} cannot be read: {strerror}; check its folder and your right to read it",
+                path=path,
+                strerror=error.strerror or error,
+            ),
+            path,
         ) from error
     _check_regular(mode, path)
 

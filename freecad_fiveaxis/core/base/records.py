@@ -61,6 +61,13 @@ def run_ids(count: Ints) -> Ints:
     return np.cumsum(begins, out=begins)
 
 
+def number_runs(count: Ints) -> tuple[Ints, Ints]:
+    """Return of runs of ``count`` (k,) rows the run (n,) of each row and its number (n,) in the run, from 0
+    on."""
+    run = run_ids(count) if np.all(count) else np.repeat(np.arange(len(count)), count)
+    return run, np.arange(len(run)) - (np.cumsum(count) - count)[run]
+
+
 SHORTEST = 64
 """Rows between two cuts for which it pays to copy them as a whole."""
 

@@ -115,7 +115,9 @@ def _plan_batch(
     )
     shard = plan.read_shard(arguments.shard) if arguments.shard else None
     jobs = plan.read_jobs(arguments.source, options, arguments.out, arguments.overwrite)
-    return plan.of_shard(jobs, shard) if shard else jobs, shard, crew
+    jobs = plan.of_shard(jobs, shard) if shard else jobs
+    plan.check_files_of(jobs, arguments.source)
+    return jobs, shard, crew
 
 
 def _report_files(arguments: argparse.Namespace, shard: tuple[int, int] | None) -> tuple[str, str, str]:

@@ -14,12 +14,13 @@ import itertools
 import os
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeGuard
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.pipeline.inputs import InputFile, check_files, list_inputs
 from freecad_fiveaxis.core.pipeline.job_file import beside_file, read_json
 from freecad_fiveaxis.core.pipeline.options import machine_of
 from freecad_fiveaxis.core.pipeline.outputs import WRITTEN
@@ -55,6 +56,23 @@ def read_jobs(source: str, options: Mapping[str, Any], out: str, overwrite: bool
         BatchJob(part, given, os.path.join(out, name), _suffix(part, given), overwrite, label=labels[part])
         for (part, given, _), name in zip(chosen, names, strict=True)
     ]
+
+
+def check_files_of(jobs: Sequence[BatchJob], source: str) -> None:
+    """Check that the files of the jobs are there, and that parts and fixtures which a table names begin as
+    STL files do; parts that only lie in a folder may be anything, and fail by themselves. Raises
+    FiveAxisError that names the first that cannot be used."""
+    named = not os.path.isdir(source)
+    check_files(dict.fromkeys(one for job in jobs for one in _files_of(job, named)))
+
+
+def _files_of(job: BatchJob, named: bool) -> Iterator[InputFile]:
+    for one in list_inputs(build_settings(job.task, job.part, job.options)):
+        if one.option:
+            yield one
+        else:
+            part = read_part(one.path)
+            yield InputFile("", part.file, one.kind if named and not part.is_meshed_first else "")
 
 
 def of_shard(jobs: Sequence[BatchJob], shard: tuple[int, int]) -> list[BatchJob]:

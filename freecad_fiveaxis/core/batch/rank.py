@@ -4,11 +4,14 @@
 rank      1 for the best of the jobs of a part. Those that leave and take the same share a rank, and the next
           ones are left out. A job that failed, or whose program is NOT SAFE, has none; nor has the only job
           of a part.
+finish    the scallop or stepover asked for. Unfinished is what keeps more than twice the scallop, so that the
+          coarsest passes would leave least: jobs of another finish are ranked apart.
 """
 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import Any
@@ -25,21 +28,43 @@ Row = Mapping[str, Any]
 
 
 def rank_rows(rows: Sequence[Row]) -> list[Row]:
-    """Return the rows of the report with their ``rank``; those of one part together, the best first, without
-    a rank last, otherwise in their order."""
-    return [row for own in _by_part(rows) for row in _rank_part(own)]
+    """Return the rows of the report with their ``rank``; those of one part and finish together, the best
+    first, without a rank last, otherwise in their order."""
+    return [row for own in _by_finish(rows).values() for row in _rank_part(own)]
 
 
 def best_lines(rows: Sequence[Row]) -> list[Sentence]:
-    """One sentence for each part that was milled in several ways; ``rows`` as ranked gives them."""
-    return [_best_line(own) for own in _by_part(rows) if len(own) > 1]
+    """One sentence for each part and finish that was milled in several ways; ``rows`` as ranked gives
+    them."""
+    own = _by_finish(rows)
+    several = Counter(part for part, _ in own)
+    return [
+        _best_line(say("{part} with {finish}", part=part, finish=finish) if several[part] > 1 else part, jobs)
+        for (part, finish), jobs in own.items()
+        if len(jobs) > 1
+    ]
 
 
-def _by_part(rows: Sequence[Row]) -> list[list[Row]]:
-    parts = dict[str, list[Row]]()
-    for row in rows:
-        parts.setdefault(str(row["part"]), []).append(row)
-    return list(parts.values())
+def _by_finish(rows: Sequence[Row]) -> dict[tuple[str, str], list[Row]]:
+    """Return the rows of each part and finish, the parts in their order; what failed stands with the first
+    of its part."""
+    parts = dict[str, dict[str, list[Row]]]()
+    for row in sorted(rows, key=_has_failed):
+        own = parts.setdefault(str(row["part"]), {})
+        finish = next(iter(own), "") if _has_failed(row) else _name_finish(row)
+        own.setdefault(finish, []).append(row)
+    order = dict.fromkeys(str(row["part"]) for row in rows)
+    return {(part, finish): jobs for part in order for finish, jobs in parts[part].items()}
+
+
+def _has_failed(row: Row) -> bool:
+    return bool(row["verdict"] == FAILED)
+
+
+def _name_finish(row: Row) -> str:
+    """Return what was asked of the passes; empty where an older report does not tell."""
+    named = (("scallop", row.get("scallop_mm")), ("stepover", row.get("stepover_mm")))
+    return ", ".join(f"{name} {float(value):g} mm" for name, value in named if value is not None)
 
 
 def _rank_part(rows: Sequence[Row]) -> list[Row]:
@@ -71,16 +96,14 @@ def _read_number(row: Row, name: str) -> float:
     return math.inf if value is None else float(value)
 
 
-def _best_line(rows: Sequence[Row]) -> Sentence:
+def _best_line(part: str | Sentence, rows: Sequence[Row]) -> Sentence:
     best = [row for row in rows if row["rank"] == 1]
     if not best:
-        return say(
-            "{part}: none of {count} ways makes a program that is safe", part=rows[0]["part"], count=len(rows)
-        )
+        return say("{part}: none of {count} ways makes a program that is safe", part=part, count=len(rows))
     names = ", ".join(map(_place, best))
     return say(
         "{part}: best of {count}: {names}, {share} % unfinished, {minutes} min",
-        part=rows[0]["part"], count=len(rows), names=names,
+        part=part, count=len(rows), names=names,
         share=_number(best[0], "unfinished_percent", f".{SHARE_DIGITS}f"),
         minutes=_number(best[0], "minutes", ".4g"),
     )  # fmt: skip

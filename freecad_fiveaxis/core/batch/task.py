@@ -19,10 +19,11 @@ OUT, OVERWRITE, SHARD = "--out", "--overwrite", "--shard"
 COLUMNS = (
     "name", "part", "machine", "verdict", "deviation_mm", "bound_mm", "cut_mm", "links_mm", "rapids_mm",
     "minutes",
-    "unfinished_percent", "rank", "errors", "says", "error",
+    "scallop_mm", "stepover_mm", "unfinished_percent", "rank", "errors", "says", "error",
 )  # fmt: skip
-"""Of the report's rows, in their order. ``minutes`` are those of the program; ``rank``: among the jobs of the
-same part, see :mod:`.rank`; ``errors`` counts the findings of that severity."""
+"""Of the report's rows, in their order. ``minutes`` are those of the program; ``scallop_mm`` or
+``stepover_mm``: what was asked of its passes; ``rank``: among the jobs of the same part with the same of
+these, see :mod:`.rank`; ``errors`` counts the findings of that severity."""
 
 
 @dataclass(frozen=True)

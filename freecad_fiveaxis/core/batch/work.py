@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.base.files import read_bytes, write_all
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import one_line
 from freecad_fiveaxis.core.pipeline import job as pipeline
+from freecad_fiveaxis.core.pipeline.options import read_scallop
 from freecad_fiveaxis.core.pipeline.outputs import files_read
 from freecad_fiveaxis.core.pipeline.programs import PostedProgram, Result
 from freecad_fiveaxis.core.pipeline.settings import Settings, build_settings, flat_options
@@ -116,7 +117,8 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
     mesh = {"mesh": mesh_solid(part, progress)} if part.is_meshed_first else {}
     result = pipeline.run(settings, progress, **mesh)
     figures = pipeline.figures(result)
-    row = _name_job(job) | _numbers(figures)
+    finish = {"scallop_mm": read_scallop(settings), "stepover_mm": settings.passes.stepover}
+    row = _name_job(job) | _numbers(figures) | finish
     files = _files(job, result, figures, progress)
     mark = {
         "key": key,

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from freecad_fiveaxis.core.audit.units import units_of_steps
-from freecad_fiveaxis.core.base.errors import FileError, ProgramError, SettingsError
+from freecad_fiveaxis.core.base.errors import FileError, ProgramError, SettingsError, naming_file
 from freecad_fiveaxis.core.base.files import check_readable, read_bytes, write_all
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -108,15 +108,17 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
         check_readable(file)
     apt, nc = read_bytes(settings.source, "CL file"), read_bytes(settings.recover.program, "NC file")
     start, setup = _start(settings)
-    path = read_apt(apt, cl_reading(settings), progress)
+    with naming_file(settings.source):
+        path = read_apt(apt, cl_reading(settings), progress)
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
     search = search_folders(settings, settings.recover.program)
     assumed = Assumed(
         settings.reading.units, settings.reading.decimal, start.no_motion if start else (), search, False
     )
-    program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
-    _refuse_guided(program)
+    with naming_file(settings.recover.program):
+        program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
+        _refuse_guided(program)
     units = units_of_steps(program, path)
     try:
         found = recover(path, program, start, setup, find_axis_step(apt), Path(output).stem, progress)

@@ -88,7 +88,7 @@ def _run_command(argv: Sequence[str]) -> int:
     except (KeyboardInterrupt, Cancelled) as stop:
         return _report_stop(stop)
     except FiveAxisError as error:
-        complain(f"fiveaxis: {error}")
+        complain(f"fiveaxis: {error.name_file()}")
         return UNUSABLE
     except Exception as fault:
         signal = (

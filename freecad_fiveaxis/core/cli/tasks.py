@@ -63,6 +63,7 @@ def run_file(arguments: argparse.Namespace) -> int:
     """Do what a job file says. Returns the exit code."""
     from freecad_fiveaxis.core.pipeline.job_file import read_job
 
+    check_readable(arguments.source)
     return _run(read_job(arguments.source), arguments.quiet, (arguments.source,))
 
 
@@ -70,6 +71,7 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int
     """Do what is asked; ``read``: files that are read already, which no output may be; ``workers``: processes
     for trials."""
     from freecad_fiveaxis.core.pipeline import job, outputs
+    from freecad_fiveaxis.core.pipeline.inputs import check_inputs
     from freecad_fiveaxis.core.pipeline.settings import TRIALS, WORKSHOP
     from freecad_fiveaxis.core.report import as_text
 
@@ -80,7 +82,7 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int
         return _try(settings, quiet, workers)
     if settings.task != "audit" and not settings.output.output:
         raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
-    check_readable(settings.source)
+    check_inputs(settings)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
         files = outputs.write_outputs(result, progress)
@@ -91,9 +93,10 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int
 
 def _try(settings: Settings, quiet: bool, workers: int) -> int:
     from freecad_fiveaxis.core.base.crew import at_work, process_crew
+    from freecad_fiveaxis.core.pipeline.inputs import check_inputs
     from freecad_fiveaxis.core.studies import study as trials
 
-    check_readable(settings.source)
+    check_inputs(settings)
     with bars(quiet) as progress, at_work(process_crew(workers) if workers > 1 else None) as executor:
         trial = trials.run(settings, progress, executor)
         files = trials.write_outputs(trial)
@@ -104,7 +107,9 @@ def _try(settings: Settings, quiet: bool, workers: int) -> int:
 
 def _work(settings: Settings, quiet: bool) -> int:
     from freecad_fiveaxis.core.calibration import tasks as workshop
+    from freecad_fiveaxis.core.pipeline.inputs import check_inputs
 
+    check_inputs(settings)
     with bars(quiet) as progress:
         done = workshop.run(settings, progress)
         files = workshop.write_outputs(done)

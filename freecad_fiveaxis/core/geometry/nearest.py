@@ -19,7 +19,7 @@ import numpy as np
 import scipy
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
+from freecad_fiveaxis.core.base.records import Floats, Ints, freeze, number_runs
 from freecad_fiveaxis.core.base.vectors import dot
 
 FIRST_TRIED, MORE = 8, 4
@@ -153,8 +153,7 @@ class Segments:
         length = np.linalg.norm(self.end - self.start, axis=1)
         longest = max(float(length.sum()) / (2.0 * len(length) + SPARE), 1e-9)
         count = np.maximum(np.ceil(length / longest), 1.0).astype(np.int64)
-        element = np.repeat(np.arange(len(length)), count)
-        step = np.arange(len(element)) - np.repeat(np.cumsum(count) - count, count)
+        element, step = number_runs(count)
         share = ((step + 0.5) / count[element])[:, None]
         middle = self.start[element] + share * (self.end - self.start)[element]
         return Pieces(middle, element, float((length / count).max(initial=0.0)) / 2.0)

@@ -3,16 +3,20 @@
 in place of a vise.
 
 touch     jaws lie on the part, a soft one is pressed into it, and both are meshed by chords: PRESSED is none.
+told      a task that makes no program refuses it; a program that is made or audited has it as its first
+          finding, an error, before all that is told of the fixture where it cannot stand.
 deep      a sample of the one's surface in the other, about which a ball of PRESSED meets none of its facets.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -37,18 +41,36 @@ NOTHING = 1e-6
 def check_apart(mesh: Mesh, fixtures: Sequence[Fixture]) -> None:
     """Check that none of the fixtures, work frame, stands deeper than PRESSED in the part, nor the part in
     it. Raises SettingsError that names the first that does, and a place."""
+    for one, place in _find_in_part(mesh, fixtures):
+        raise SettingsError(
+            say(
+                "{option}: {fixture} stands in the part, more than {depth} deep at {at}; check its place "
+                "and its units",
+                option=Option("fixture"), fixture=one.name, depth=Length(PRESSED), at=Point(place),
+            ),
+            one.name,
+        )  # fmt: skip
+
+
+def report_in_part(mesh: Mesh, fixtures: Sequence[Fixture]) -> Iterator[Finding]:
+    """Report each fixture that does, of a program that is made or audited all the same."""
+    for one, place in _find_in_part(mesh, fixtures):
+        text = say(
+            "The fixture {fixture} stands in the part, more than {depth} deep at {at}: check its place and "
+            "its units first. What else is told of it is told of that place.",
+            fixture=one.name, depth=Length(PRESSED), at=Point(place),
+        )  # fmt: skip
+        yield report_finding(Code.FIXTURE_IN_PART, text, place=place)
+
+
+def _find_in_part(
+    mesh: Mesh, fixtures: Sequence[Fixture]
+) -> Iterator[tuple[Fixture, tuple[float, float, float]]]:
     for one in fixtures:
         place = find_deep(one.mesh, mesh)
         place = find_deep(mesh, one.mesh) if place is None else place
         if place is not None:
-            raise SettingsError(
-                say(
-                    "{option}: {fixture} stands in the part, more than {depth} deep at {at}; check its place "
-                    "and its units",
-                    option=Option("fixture"), fixture=one.name, depth=Length(PRESSED), at=Point(place),
-                ),
-                one.name,
-            )  # fmt: skip
+            yield one, place
 
 
 def find_deep(mesh: Mesh, other: Mesh) -> tuple[float, float, float] | None:

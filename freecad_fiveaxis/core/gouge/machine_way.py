@@ -29,7 +29,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.motion.deviation.bound import quick_bound
 from freecad_fiveaxis.core.motion.program import Program, find_unknown_ways, standing
@@ -159,9 +159,8 @@ def _ends_alone(way: MachineWay, lost: Bools) -> MachineWay:
 def _divide(kinematics: Chain, program: Program, parts: Ints, guided: Bools) -> tuple[MachineWay, Floats]:
     """Put rows into the blocks, each then of so many ``parts`` (m - 1,); and tell how far (k,) mm the guided
     pieces are off, inf where that is not bounded."""
-    block = np.repeat(np.arange(len(parts)), parts)
+    block, step = number_runs(parts)
     share = 1.0 / parts[block]
-    step = np.arange(len(block)) - (np.cumsum(parts) - parts)[block]
     owner = np.concatenate([[0], block + 1])
     columns = ("feed", "inverse_time", "motion", "seconds", "row", "line")
     taken = {name: getattr(program, name)[owner] for name in columns}

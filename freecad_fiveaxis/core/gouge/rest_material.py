@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Length, Point, Template, Volume, say
 from freecad_fiveaxis.core.base.vectors import dot, length
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -224,8 +224,7 @@ def _sample_way(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float)
     spacing = max(spacing, float(length[-1]) / MOST_SAMPLES)
     size = length[ends] - length[first]
     count = np.maximum(np.ceil(size / spacing), 1).astype(np.int64)
-    of = np.repeat(np.arange(len(first)), count)
-    part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    of, part = number_runs(count)
     at = length[first][of] + (part + 0.5) * (size / count)[of]
     row, u = _place(length, at)
     pose = swept.pose(blocks[row], u)

@@ -24,7 +24,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
@@ -177,9 +177,9 @@ def segments_of(swept: SweptMotion, blocks: Ints, reach: float, least: float) ->
     straight way by more than ``least`` mm, as far as MOST_PARTS allow."""
     bent = 0.125 * (swept.bend_tip[blocks] + reach * swept.bend_axis[blocks])
     count = np.clip(np.ceil(np.sqrt(bent / least)), 1, MOST_PARTS).astype(np.int64)
-    block, share = np.repeat(blocks, count), np.repeat(1.0 / count, count)
-    part = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
-    return MotionSegments(block, part * share, (part + 1) * share)
+    row, part = number_runs(count)
+    share = (1.0 / count)[row]
+    return MotionSegments(blocks[row], part * share, (part + 1) * share)
 
 
 class StraightSweep(NamedTuple):

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, number_runs
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -231,9 +231,8 @@ def _only(joints: JointPath, gaps: Gaps) -> tuple[JointPath, Gaps]:
 
 def _between(first: Ints, last: Ints) -> tuple[Ints, Ints]:
     """Return the runs (m,) and rows (m,) from ``first`` (k,) to ``last`` (k,), both included."""
-    length = last - first + 1
-    run = np.repeat(np.arange(len(first)), length)
-    return run, np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first, length)
+    run, number = number_runs(last - first + 1)
+    return run, first[run] + number
 
 
 def _hit(joints: JointPath, gaps: Gaps, hits: Hits) -> Bools:

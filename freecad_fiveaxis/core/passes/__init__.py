@@ -6,6 +6,7 @@ from .arc_curvature import arc_centre, arc_curvature, pass_curvature
 from .around_axis import facets_around
 from .contact_path import ContactPath, direction, slice_field, slice_mesh
 from .field import PassField, PassOptions, PassStrategy, Region, cut
+from .high_scallops import report_high_scallops
 from .open_surface import report_far_side
 from .scallop import CREASE, compute_turn, facet_curvature, flat_interval
 from .sides import find_untouched_sides, side_findings
@@ -50,6 +51,7 @@ __all__ = [
     "pass_curvature",
     "prepare_planes",
     "report_far_side",
+    "report_high_scallops",
     "report_standing",
     "side_findings",
     "slice_field",

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .refine import INNER, Copy, assemble_copy
@@ -113,8 +113,8 @@ def _strips(copy: Copy, value: Floats, level: Ints, base: Ints) -> tuple[_Strips
     order = np.argsort(value, axis=1, kind="stable")
     span = np.take_along_axis(level, order, axis=1)
     count = span[:, 2] - span[:, 0] + 1
-    facet = run_ids(count)
-    slab = span[facet, 0] + np.arange(len(facet)) - (np.cumsum(count) - count)[facet]
+    facet, number = number_runs(count)
+    slab = span[facet, 0] + number
     coedge = _sort_sides(copy.mesh, order)
     first = base[coedge] - span[:, [0, 1, 0]]
     corner = np.take_along_axis(copy.mesh.face, order, axis=1), np.take_along_axis(value, order, axis=1)

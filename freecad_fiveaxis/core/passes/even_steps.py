@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Floats, Ints, run_ids
+from freecad_fiveaxis.core.base.records import Floats, Ints, number_runs
 
 from .geodesic import gradient, steepness
 from .scallop_passes import Surface
@@ -70,9 +70,8 @@ def _shares(component: Ints, value: Floats) -> Floats:
 
 def _spread(first: Ints, last: Ints) -> tuple[Ints, Ints]:
     """Rows and pieces (m,): each row once for every piece from its ``first`` (n,) to its ``last`` (n,)."""
-    size = last - first + 1
-    row = run_ids(size)
-    return row, np.arange(len(row)) - (np.cumsum(size) - size)[row] + first[row]
+    row, number = number_runs(last - first + 1)
+    return row, first[row] + number
 
 
 def _sum_worth(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:

@@ -80,7 +80,8 @@ class PassField:
     """``value`` (v,) at the vertices of the mesh, or of ``surface`` where there is one; ``levels`` (k,) of
     it, ascending, that are cut; ``upright`` rad: the travel of upright planes, whose points are then exact.
     ``findings``: what is poor about it; ``frame`` (k,): of each level the frame in which it is cut, where
-    rotary axes are locked."""
+    rotary axes are locked; ``turns`` (n,): facets of the surface about which the field turns, None: not
+    known."""
 
     value: Floats
     levels: Floats
@@ -88,6 +89,7 @@ class PassField:
     upright: float | None = None
     surface: Copy | None = None
     frame: Ints | None = None
+    turns: Ints | None = None
 
     def __post_init__(self) -> None:
         freeze(self, None, value="f")

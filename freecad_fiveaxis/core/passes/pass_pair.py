@@ -22,7 +22,7 @@ from functools import cached_property
 import numpy as np
 import scipy
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.vectors import row_dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -108,8 +108,7 @@ class FacetPass:
 def _split(length: Floats, step: float) -> tuple[Ints, Floats]:
     """Pieces of at most ``step``: the row of each and the share of its length at which its middle lies."""
     pieces = np.maximum(np.ceil(length / step), 1.0).astype(np.int64)
-    row = np.repeat(np.arange(len(length)), pieces)
-    place = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    row, place = number_runs(pieces)
     return row, (place + 0.5) / pieces[row]
 
 

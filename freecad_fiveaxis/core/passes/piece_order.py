@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 
 from .contact_path import ContactPath
@@ -149,6 +149,6 @@ def tour_rows(first: Ints, last: Ints, tour: Tour) -> tuple[Ints, Ints, Bools]:
     """Give the rows (n,) of the pieces, each from its ``first`` to its ``last`` (p,), as the tour takes them;
     to which place in the tour each belongs (n,), and whether it is taken backwards (n,)."""
     size = (last - first + 1)[tour.piece]
-    piece, within = run_ids(size), np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
+    piece, within = number_runs(size)
     start, step = np.where(tour.back, last[tour.piece], first[tour.piece]), np.where(tour.back, -1, 1)
     return start[piece] + step[piece] * within, piece, tour.back[piece]

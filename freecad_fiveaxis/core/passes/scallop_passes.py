@@ -23,7 +23,7 @@ import scipy
 from freecad_fiveaxis.core.base.chunks import batches, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -40,6 +40,7 @@ from .geodesic import (
     side_lengths,
     step_across,
 )
+from .high_scallops import find_turns
 from .refine import Copy, drop_short, finer_copy, join_copies, take_facets
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop
 from .sources import find_source, source_values
@@ -153,7 +154,8 @@ class ConstantScallop(OverSurface):
         region.progress("placing passes", 0.3)
         steps = lay_steps(surface, ground.curve)
         region.progress("placing passes", 0.7)
-        return lay_passes(region, surface, steps)
+        turns = find_turns(surface.frame, surface.copy.mesh, steps)
+        return replace(lay_passes(region, surface, steps), turns=turns)
 
 
 def lay_steps(surface: Surface, curve: Floats | None) -> Floats:
@@ -384,10 +386,8 @@ def _is_left_out(
 def _sample_segments(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
     """Points (n, 3) of segments, at most ``step`` mm apart, and the normals there."""
     pieces = np.ceil(np.linalg.norm(exit_ - entry, axis=1) / step).astype(np.int64) + 1
-    row = np.repeat(np.arange(len(pieces)), pieces)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[
-        row
-    ]
+    row, number = number_runs(pieces)
+    share = number / np.maximum(pieces - 1, 1)[row]
     return entry[row] + share[:, None] * (exit_ - entry)[row], normal[row]
 
 

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.vectors import row_dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -191,10 +191,8 @@ def _line(mesh: Mesh, pieces: _Pieces, gap: float) -> tuple[Floats, Floats]:
         if gap > 0.0
         else np.ones(len(one), np.int64)
     )
-    row = np.repeat(np.arange(len(one)), number)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(number) - number, number)) / np.maximum(number - 1, 1)[
-        row
-    ]
+    row, place = number_runs(number)
+    share = place / np.maximum(number - 1, 1)[row]
     return pieces.vertex[start][row] + share[:, None] * way[row], normal[one // 3][row]
 
 

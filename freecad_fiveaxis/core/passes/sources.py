@@ -8,7 +8,7 @@ import scipy
 
 from freecad_fiveaxis.core.base.curve_text import is_inline, name_source, read_runs
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
 from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
 
@@ -115,8 +115,8 @@ def sample_curve(curve: Floats, step: float) -> Floats:
     way = np.diff(curve, axis=0)
     length = np.linalg.norm(way, axis=1)
     pieces = np.ceil(length / max(step, float(length.sum()) / MOST_POINTS)).astype(np.int64).clip(min=1)
-    row = np.repeat(np.arange(len(way)), pieces)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / pieces[row]
+    row, number = number_runs(pieces)
+    share = number / pieces[row]
     return np.concatenate([curve[row] + share[:, None] * way[row], curve[-1:]])
 
 

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -179,8 +179,7 @@ def _all_turns(rings: Rings) -> Turns:
     mesh, loops = rings.copy.mesh, rings.last - rings.first
     begin = np.arange(len(loops)) * (int(loops.max()) + 3.0)
     own, over = begin[rings.ring], rings.height - rings.first[rings.ring]
-    between = run_ids(loops)
-    turn = np.arange(len(between)) - (np.cumsum(loops) - loops)[between]
+    between, turn = number_runs(loops)
     every, none = np.arange(len(loops)), np.zeros(len(loops), np.int64)
     fields = [
         (

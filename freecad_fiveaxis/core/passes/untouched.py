@@ -18,7 +18,7 @@ import scipy
 from freecad_fiveaxis.core.base.chunks import chunks
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.sentences import Area, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
@@ -143,7 +143,7 @@ def _sample_rim(mesh: Mesh, there: Ints, step: float) -> tuple[Floats, Floats]:
     edge = np.flatnonzero(has.any(axis=1) & ~has.all(axis=1))
     facet = np.where(has[edge, 0], sides[edge, 0], sides[edge, 1])
     ends = mesh.vertex[mesh.coedge_vertex[edge]]
-    point, of = _sample_lines(ends[:, 0], ends[:, 1], step)
+    point, of = sample_lines(ends[:, 0], ends[:, 1], step)
     return point, mesh.normal[facet[of]]
 
 
@@ -154,14 +154,13 @@ def _sample_inside(mesh: Mesh, rows: Ints, step: float) -> tuple[Floats, Ints]:
     length = np.linalg.norm(corner - corner[:, [1, 2, 0]], axis=2)
     first, each = length.argmin(axis=1), np.arange(len(rows))
     middle = 0.5 * (corner[each, first] + corner[each, (first + 1) % 3])
-    return _sample_lines(middle, corner[each, (first + 2) % 3], step)
+    return sample_lines(middle, corner[each, (first + 2) % 3], step)
 
 
-def _sample_lines(start: Floats, end: Floats, step: float) -> tuple[Floats, Ints]:
+def sample_lines(start: Floats, end: Floats, step: float) -> tuple[Floats, Ints]:
     """Return points (m, 3) at most ``step`` mm apart along lines from ``start`` to ``end`` (n, 3), one at
     least on each, and their lines (m,)."""
     count = np.maximum(np.ceil(np.linalg.norm(end - start, axis=1) / step), 1.0).astype(np.int64)
-    of = np.repeat(np.arange(len(start)), count)
-    part = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    of, part = number_runs(count)
     share = ((part + 0.5) / count[of])[:, None]
     return start[of] + share * (end - start)[of], of

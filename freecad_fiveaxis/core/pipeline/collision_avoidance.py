@@ -73,11 +73,13 @@ STRETCHES = frozenset({
 JUDGED = frozenset({Code.SURFACE_TIGHTER_THAN_CUTTER, Code.HEEL_IN_HOLLOW})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
-NOT_CUT = (
+OUT_OF_REACH = (
     Code.FACETS_BEYOND_AXIS_ANGLE, Code.FACETS_BEYOND_MACHINE, Code.FACETS_WITHOUT_FREE_AXIS,
     Code.OUTSIDE_FRAMES,
-    Code.FACETS_NEAR_AVOIDED,
 )  # fmt: skip
+"""The codes of findings on facets that are not cut because nothing reaches them."""
+
+NOT_CUT = (*OUT_OF_REACH, Code.FACETS_NEAR_AVOIDED)
 """The codes of findings on facets that are not among those to be cut."""
 
 
@@ -112,6 +114,12 @@ def find_uncut(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
 def leaves_out(findings: Sequence[Finding]) -> bool:
     """Tell whether places on facets that are cut were left out, of which only a map tells how much stays."""
     return any(one.within is not None or (one.code in STRETCHES and one.value) for one in findings)
+
+
+def tells_of_less(findings: Sequence[Finding]) -> bool:
+    """Tell whether places out of reach were found of which more may stay than is known: beside facets that
+    are left out, and in corners."""
+    return any(one.code in (*OUT_OF_REACH, Code.CORNER_NOT_REACHED) for one in findings)
 
 
 def compute_allowed_rest(settings: Settings, mesh: Mesh, keep: Bools) -> float:

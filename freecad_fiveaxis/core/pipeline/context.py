@@ -61,7 +61,8 @@ class MillContext(JobContext):
     may; ``boundary``: within which the passes are kept; ``frames``: of passes with locked rotary axes;
     ``keep_off``: faces to avoid on which there is an allowance; ``bodies``: of the machine, which axes are
     chosen to keep out of, None: there are none, or axes are not chosen;
-    ``fixtures``: that stand beside the part."""
+    ``fixtures``: that stand beside the part; ``unreached``: whether facets are left out because nothing
+    reaches them."""
 
     mesh: Mesh
     keep: Bools
@@ -73,6 +74,7 @@ class MillContext(JobContext):
     keep_off: KeepOff | None = None
     bodies: MachineInPose | None = None
     fixtures: tuple[Fixture, ...] = ()
+    unreached: bool = False
 
     @property
     def obstacles(self) -> Mesh:

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.audit.program_end import end_findings
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
 from freecad_fiveaxis.core.audit.tool_length import assume_length, length_findings
 from freecad_fiveaxis.core.audit.units import unit_findings
-from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.errors import SettingsError, naming_file
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -32,6 +32,7 @@ from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.gouge.faces import facets_on
+from freecad_fiveaxis.core.gouge.fixture_in_part import report_in_part
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures, read_fixtures
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
@@ -134,7 +135,8 @@ def make(
         machine.no_motion,
         search_folders(settings, settings.source),
     )
-    reading = read_in_order(text, kinematics, dialect, progress, assumed)
+    with naming_file(settings.source):
+        reading = read_in_order(text, kinematics, dialect, progress, assumed)
     program = reading.program
     settings, named = _with_named_cutter(settings, text)
     found += (
@@ -235,7 +237,8 @@ def post(
 ) -> PostedProgram:  # fmt: skip
     """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the
     feed moves and the fixtures."""
-    file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
+    with naming_file(settings.source):
+        file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
     given, path = settings, file.path
     settings = with_head(given, file.head)
     box, cuts = box_with(_box_of_moves(path, Motion.RAPID), fixtures), _box_of_moves(path, Motion.LINK)
@@ -284,12 +287,16 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
         surface is not None,
         find_programmed_feed(draft),
     )
+    reference = draft.mesh if isinstance(draft, MilledProgram) else against
+    apart = tuple(report_in_part(reference, draft.fixtures)) if isinstance(reference, Mesh) else ()
     gouge, rest, entries = _against_part(draft, progress)
     entries += (
         check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
     )
     hit = _in_fixtures(draft, progress) + look_in_machine(draft, against, progress)
-    found = still_true(draft.findings, gouge, rest, entries) + deviation.findings + entries + hit + judged
+    found = (
+        apart + still_true(draft.findings, gouge, rest, entries) + deviation.findings + entries + hit + judged
+    )
     if draft.settings.task != AUDIT:
         return Result(draft, deviation, singularity, found, gouge=gouge, rest=rest, surface=surface)
     audited = _audit_draft(draft, deviation, against, progress)
@@ -341,7 +348,8 @@ def _read_reference(settings: Settings, progress: Progress) -> tuple[CLPath | Me
         return None, settings
     if is_part(path):
         return read_stl(path, progress), settings
-    file = read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress)
+    with naming_file(path):
+        file = read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress)
     return file.path, with_cutter(settings, file.head.cutter)
 
 

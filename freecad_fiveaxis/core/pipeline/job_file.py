@@ -58,7 +58,12 @@ def read_json(path: str) -> Any:
         raise SettingsError(say("job file {path}: {error}", path=path, error=error), error.value) from error
     except (ValueError, RecursionError) as error:
         raise SettingsError(
-            say("job file {path} is not JSON: {error}", path=path, error=error), path
+            say(
+                "job file {path} is not JSON: {error}; correct that place, or name another file",
+                path=path,
+                error=error,
+            ),
+            path,
         ) from error
 
 

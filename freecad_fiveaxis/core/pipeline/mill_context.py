@@ -9,9 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
+from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
@@ -42,6 +44,7 @@ from freecad_fiveaxis.core.passes.radial_passes import unit_axis
 from .avoided import facets_off, keep_off_of
 from .blockers import list_blockers
 from .bounded import boundary_of, facets_inside
+from .collision_avoidance import tells_of_less
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis
 from .machine_around import bodies_in_pose
@@ -101,6 +104,7 @@ def mill_context(
     else:
         keep, left_out = _choose_by_angle(context)
         context = replace(context, keep=keep)
+    context = replace(context, unreached=tells_of_less(left_out))
     return context, area.findings + report_far_side(mesh) + left_out
 
 
@@ -109,6 +113,15 @@ def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillCo
     settings, mesh, machine, progress = context.settings, context.mesh, context.machine, context.progress
     most, standing = largest_axis_angle(settings, machine, mesh), find_standing(settings, mesh, faces)
     facets = context.keep & ~standing
+    if not facets.any():
+        raise ReachError(
+            say(
+                "no facet can be cut: the part stands on all that is to be cut; turn it over, or have it cut "
+                "as it lies with {max_axis_angle}",
+                max_axis_angle=Option("max_axis_angle"),
+            ),
+            None,
+        )
     check_passes(settings, mesh, facets & facets_under_axes(mesh, most))
     within = with_room(context.kinematics)
     bodies = bodies_in_pose(settings, machine, within, mesh, context.fixtures, progress, MARGIN)

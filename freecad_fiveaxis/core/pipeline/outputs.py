@@ -36,7 +36,7 @@ def check_outputs(settings: Settings, read: Iterable[str] = ()) -> None:
 
     ``read``: what is read besides the settings' own files, as the job file. Raises FiveAxisError.
     """
-    targets = list(_paths(settings, True))
+    targets = [path for _, path in _paths(settings, True)]
     for path in targets:
         check_writable(path)
     for path in targets:
@@ -63,7 +63,7 @@ def files_read(settings: Settings) -> list[str]:
     of_machines = [os.fspath(path) for name in machines if name and (path := machine_path(name)) is not None]
     read = (
         settings.source,
-        *_paths(settings, False),
+        *(path for _, path in list_paths_read(settings)),
         *curve_files(settings),
         *of_machines,
         *_body_files(of_machines),
@@ -83,21 +83,30 @@ def _body_files(machines: Iterable[str]) -> Iterator[str]:
 
 def curve_files(settings: Settings) -> list[str]:
     """Return the files of guide curves, and of the boundary."""
-    guides = [
-        one
-        for one in (settings.passes.from_, settings.passes.to)
-        if isinstance(one, str) and one.lower().endswith(ENDING)
-    ]
+    return [path for _, path in name_curve_files(settings)]
+
+
+def name_curve_files(settings: Settings) -> Iterator[tuple[str, str]]:
+    """Yield the options that name these, and the files."""
+    for name, one in (("from", settings.passes.from_), ("to", settings.passes.to)):
+        if isinstance(one, str) and one.lower().endswith(ENDING):
+            yield name, one
     boundary = settings.boundary.boundary
-    return guides if boundary is None or is_inline(boundary) else [*guides, boundary]
+    if boundary is not None and not is_inline(boundary):
+        yield "boundary", boundary
 
 
-def _paths(settings: Settings, written: bool) -> Iterator[str]:
-    """Yield the files that the options name, those to write or those to read."""
+def list_paths_read(settings: Settings) -> Iterator[tuple[str, str]]:
+    """Yield the options that hold paths of files to read, and these."""
+    return _paths(settings, False)
+
+
+def _paths(settings: Settings, written: bool) -> Iterator[tuple[str, str]]:
+    """Yield the options and the files that they name, those to write or those to read."""
     for name, value in _values(settings):
         if (name in WRITTEN) == written and value:
-            files = (value,) if isinstance(value, str) else value
-            yield from (parse_fixture(one).path for one in files) if name == "fixture" else files
+            for one in (value,) if isinstance(value, str) else value:
+                yield name, parse_fixture(one).path if name == "fixture" else one
 
 
 def _values(settings: Settings) -> Iterator[tuple[str, Any]]:

@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.passes import (
     find_pass_strategy,
     flat_interval,
     lay_by_slope,
+    report_high_scallops,
 )
 from freecad_fiveaxis.core.toolpath.cl_offset import corner_radius
 from freecad_fiveaxis.core.toolpath.coedge import close_gaps
@@ -44,6 +45,8 @@ def plan_passes(context: MillContext, region: Region) -> PlannedPasses:
     field = strategy.field(region, options)
     contact = cut(region, field, order, spiral)
     untouched = strategy.report_untouched(region, options, field, contact.face)
+    if field.turns is not None and field.surface is not None:
+        spacing += report_high_scallops(region, options, contact, field.surface.mesh, field.turns)
     return PlannedPasses(contact, field.frame, untouched + contact.findings + spacing)
 
 

@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.tool.body import CUTTER
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .collision_avoidance import compute_commanded_motion, find_uncut, leaves_out
+from .collision_avoidance import compute_commanded_motion, find_uncut, leaves_out, tells_of_less
 from .context import MillContext
 from .driving import drive, post_path
 from .options import compute_driven_to_surface, rapids_of, steps_over_strips, tip_to_driven, tool_body
@@ -107,8 +107,9 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
     settings = context.settings
-    suspected = settings.cutter.cutter.has_level_bottom or steps_over_strips(settings) or leaves_out(found)
-    uncut = find_uncut(context, solved.path) if solved.cured or suspected else ()
+    wide = settings.cutter.cutter.has_level_bottom or steps_over_strips(settings)
+    suspected = solved.cured or wide or context.unreached or leaves_out(found) or tells_of_less(found)
+    uncut = find_uncut(context, solved.path) if suspected else ()
     program = post_path(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,

@@ -14,7 +14,7 @@ import zlib
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints, number_runs
 
 PIXELS = 1_000_000
 """Pixels that are looked at in one go."""
@@ -47,8 +47,8 @@ def owners(corner: Floats, view: Floats, low: Floats, scale: float, width: int, 
     near, owner = np.full(width * height, -np.inf), np.full(width * height, -1)
     shown = np.flatnonzero(count > 0)
     for rows in np.split(shown, np.flatnonzero(np.diff(np.cumsum(count[shown]) // PIXELS)) + 1):
-        of = np.repeat(rows, count[rows])
-        part = np.arange(len(of)) - np.repeat(np.cumsum(count[rows]) - count[rows], count[rows])
+        run, part = number_runs(count[rows])
+        of = rows[run]
         down, along = np.divmod(part, (right - left)[of])
         px, py = left[of] + along, top[of] + down
         share = [

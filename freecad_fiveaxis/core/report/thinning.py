@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 import scipy
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 
 COATS = 8
 """So many distances, beside that at which all is drawn."""
@@ -68,8 +68,7 @@ def _spread(start: Floats, end: Floats, run: Ints, step: float) -> tuple[Floats,
     due = np.diff(marks, prepend=0.0) > 0.0
     due[np.flatnonzero(np.diff(run, prepend=-1))] = True
     count = np.where(due, np.maximum(np.floor(length / step), 1.0), 0.0).astype(np.int64)
-    rows = np.repeat(np.arange(len(start)), count)
-    number = np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count)
+    rows, number = number_runs(count)
     share = ((number + 0.5) / count[rows])[:, None]
     return start[rows] + share * (end - start)[rows], run[rows]
 

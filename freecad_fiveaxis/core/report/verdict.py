@@ -143,7 +143,8 @@ ENTERS: Mapping[str, Sentence] = {
 
 def _errors(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     found = _of_severity(figures, Severity.ERROR)
-    for code in sorted(found, key=lambda code: [*ENTERS, Code.DEVIATION_OVER_TOLERANCE, code].index(code)):
+    order = [Code.FIXTURE_IN_PART, *ENTERS, Code.DEVIATION_OVER_TOLERANCE]
+    for code in sorted(found, key=lambda code: [*order, code].index(code)):
         if code in ENTERS:
             yield ENTERS[code] + _where(code, found[code], numbers)
         elif code == Code.DEVIATION_OVER_TOLERANCE:

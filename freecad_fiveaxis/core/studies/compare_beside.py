@@ -26,15 +26,15 @@ from .compare.beside_fixtures import find_worst_meeting, hits_fixture
 from .compare.beside_part import find_deepest
 
 
-def settle_beside(
-    settings: Settings, mesh: Mesh | None, fixtures: Sequence[Fixture], progress: Progress
+def read_part_beside(
+    source: str, mesh: Mesh | None, fixtures: Sequence[Fixture], progress: Progress
 ) -> Mesh | None:
-    """Return the part, where there is one and fixtures stand beside it. Raises FiveAxisError for a fixture in
-    the part."""
+    """Return the part, where there is one and fixtures stand beside it: that at hand, else that of the
+    source. Raises FiveAxisError for a fixture in the part."""
     if not fixtures:
         return mesh
-    if mesh is None and is_part(settings.source):
-        mesh = read_stl(settings.source, progress)
+    if mesh is None and is_part(source):
+        mesh = read_stl(source, progress)
     if mesh is not None:
         check_apart(mesh, fixtures)
     return mesh

@@ -26,7 +26,6 @@ from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.gouge.fixture_in_part import check_apart
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, read_fixtures
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
@@ -51,16 +50,25 @@ from freecad_fiveaxis.core.pipeline.options import (
     title_of,
     tool_body,
 )
-from freecad_fiveaxis.core.pipeline.over_table import IN_TABLE
+from freecad_fiveaxis.core.pipeline.over_table import AUTO, IN_TABLE
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
-from freecad_fiveaxis.core.pipeline.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
+from freecad_fiveaxis.core.pipeline.settings import (
+    FRAMES,
+    MILL,
+    POST,
+    REACH,
+    SETUP,
+    Settings,
+    flat_options,
+    is_part,
+)
 from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .as_milled import Seen, check_against_part
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
-from .compare_beside import report_entries, report_hits, settle_beside, stand_beside
+from .compare_beside import read_part_beside, report_entries, report_hits, stand_beside
 from .corrections import check_cures, cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
@@ -139,9 +147,9 @@ def try_reach(
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
-    mesh = read_stl(settings.source, progress) if mesh is None else mesh
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
-    check_apart(mesh, fixtures)
+    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
+    mesh = read_stl(settings.source, progress) if mesh is None else mesh
     mesh, faces, avoided, remarks = choose_facets(settings, mesh, faces, progress)
     area = find_area(settings, mesh, faces, avoided)
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
@@ -187,6 +195,8 @@ def try_setups(
     )  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
     program = _post_job(job, progress, mesh, faces, fixtures)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
@@ -219,7 +229,7 @@ def try_machines(
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
     machines = [load_machine(name) for name in names]
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
-    mesh = settle_beside(settings, mesh, fixtures, progress)
+    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
     suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
     each_settings = [_job_settings(suited, name) for name in names]
     stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
@@ -323,7 +333,18 @@ def _standing(chart: SetupMap, program: PostedProgram, machine: Machine) -> Stan
         program.path, machine, chart.base, post, (x, y, z), float(chart.turn[row]), part, program.fixtures,
         chart.table, stack, settings.machine.tool_length is not None, tip_to_driven(settings),
         settings.gouge.fixture_clearance, settings.proof.tolerance,
+        None if part is None else _find_axes_choice(settings),
     )  # fmt: skip
+
+
+def _find_axes_choice(settings: Settings) -> Choice | None:
+    """Find the option by which tool axes are chosen by what is free of the whole tool."""
+    if settings.tool_axis.tool_axis == AUTO:
+        return Choice("tool_axis", (AUTO,), flag=True)
+    if settings.passes.passes == FRAMES:
+        return Choice("passes", (FRAMES,), flag=True)
+    chosen = settings.gouge.gouge
+    return Choice("gouge", (chosen,), flag=True) if chosen in ("tilt", "leave-out") else None
 
 
 def with_tool(settings: Settings, tool: Stack) -> Settings:

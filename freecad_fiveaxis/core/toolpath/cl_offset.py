@@ -25,7 +25,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Point, say
 from freecad_fiveaxis.core.base.vectors import row_dot, slerp
 from freecad_fiveaxis.core.passes import CREASE
@@ -191,9 +191,8 @@ def rows_between(
     """Return the move that arrives at each row in ``pieces`` (n,) equal parts (1: as it is): the path, its
     axes, and the row (k,) of the path given that each row is, or leads to. ``ring`` mm of the cutter, or the
     flank of a barrel."""
-    row = np.repeat(np.arange(len(axis)), pieces)
-    step = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
-    share = step / pieces[row]
+    row, number = number_runs(pieces)
+    share = (number + 1) / pieces[row]
     new = np.flatnonzero(share < 1.0)
     seat = seat_normal(path, ring, barrel) if ring > 0.0 or barrel is not None else None
     return *_with_rows(path, axis, row, new, share[new], seat), row

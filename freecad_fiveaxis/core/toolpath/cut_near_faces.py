@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.passes.keep_off import TOUCHING, KeepOff
 
 from .coedge import OffsetPath
@@ -55,9 +55,8 @@ def _crossings(start: Floats, end: Floats, keep_off: KeepOff) -> tuple[Ints, Flo
     length = np.linalg.norm(end - start, axis=1)
     near = np.flatnonzero(keep_off.room(0.5 * (start + end)) < 0.5 * length)
     parts = np.maximum(np.ceil(length[near] / (STEP * keep_off.least)), 1).astype(np.int64)
-    move = np.repeat(near, parts + 1)
-    part = np.arange(len(move)) - np.repeat(np.cumsum(parts + 1) - (parts + 1), parts + 1)
-    share = part / np.repeat(parts, parts + 1)
+    row, part = number_runs(parts + 1)
+    move, share = near[row], part / parts[row]
     clear = _room_at(start, end, move, share, keep_off) >= 0.0
     change = np.flatnonzero((move[1:] == move[:-1]) & (clear[1:] != clear[:-1]))
     low, high, rises, move = share[change], share[change + 1], clear[change + 1], move[change]

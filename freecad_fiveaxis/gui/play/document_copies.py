@@ -165,16 +165,16 @@ def _make_copy(shape: ReducedShape, most: int) -> Generator[None, None, tuple[Re
     index.copyFrom(shape.face.coordIndex)
     points = yield from _read(place, POINTS, _to_points)
     corners = yield from _read(index, CORNERS, _to_numbers)
-    made: list[tuple[Reduced, Shaded]] = []
-    thread = threading.Thread(target=_reduce, args=(points, corners, most, made), daemon=True)
+    found: list[tuple[Reduced, Shaded]] = []
+    thread = threading.Thread(target=_reduce, args=(points, corners, most, found), daemon=True)
     thread.start()
     while thread.is_alive():
         yield
-    return made[0] if made else None
+    return found[0] if found else None
 
 
-def _reduce(points: np.ndarray, corners: np.ndarray, most: int, made: list[tuple[Reduced, Shaded]]) -> None:
-    """Put the copy into ``made``, where there is one: of points (v, 3) and corners, -1 after each facet."""
+def _reduce(points: np.ndarray, corners: np.ndarray, most: int, found: list[tuple[Reduced, Shaded]]) -> None:
+    """Put the copy into ``found``, where there is one: of points (v, 3) and corners, -1 after each facet."""
     rows = corners[: len(corners) // 4 * 4].reshape(-1, 4)
     if len(rows) * 4 != len(corners) or (rows[:, 3] != -1).any() or not _are_rows(rows[:, :3], len(points)):
         return
@@ -183,7 +183,7 @@ def _reduce(points: np.ndarray, corners: np.ndarray, most: int, made: list[tuple
     except FiveAxisError:
         return
     if copy is not None:
-        made.append((copy, light(copy.mesh, outward=True)))
+        found.append((copy, light(copy.mesh, outward=True)))
 
 
 def _are_rows(rows: np.ndarray, count: int) -> bool:

@@ -38,8 +38,8 @@ from .watch import Watch
 TICK = 30
 """ms between two pictures."""
 READ = 0.1
-"""s between two readings while time passes: faster, numbers are not read, and writing them takes a tenth of a
-picture's time."""
+"""s between two readings while the picture moves: faster, numbers are not read, and writing them takes a
+tenth of a picture's time."""
 LONGEST_STEP = 0.25
 """s: if the window was held up for longer, the program did not go on meanwhile."""
 REACH = 0.9
@@ -61,6 +61,9 @@ class PlayPanel:
         self.form = self._widget()
         self.stage = self._new_stage()
         self.timer, self._then, self._drawn, self._read = QtCore.QTimer(), 0.0, -1, 0.0
+        self._late = QtCore.QTimer()
+        self._late.setSingleShot(True)
+        self._late.timeout.connect(lambda: self._read_out(self.player.pose))
         self.timer.setInterval(TICK)
         self.timer.timeout.connect(self._tick)
         self._stale, self._open, self._docked = False, True, False
@@ -133,12 +136,15 @@ class PlayPanel:
             self._follow()
 
     def _read_out(self, pose: Pose) -> None:
-        """Say where the program stands; while time passes, a few times a second."""
+        """Say where the program stands; while the picture moves, a few times a second, and once more where
+        the hand on the slider rests."""
         now = time.monotonic()
-        flows = self.playing and not self.controls.slider.isSliderDown()
-        if not flows or now - self._read >= READ:
-            self._read = now
-            self.readout.show(pose, self.player.playback.seconds, self.player.met)
+        if self.moving and now - self._read < READ:
+            self._late.start(round(1e3 * min(READ, 1.0)))
+            return
+        self._late.stop()
+        self._read = now
+        self.readout.show(pose, self.player.playback.seconds, self.player.met)
 
     def _follow(self) -> None:
         try:
@@ -221,6 +227,7 @@ class PlayPanel:
         self._open = False
         _panels.remove(self)
         self.timer.stop()
+        self._late.stop()
         self.watch.stop()
         self.stage.remove()
         try:

@@ -208,12 +208,15 @@ def _stops(
     base, low = _base(wishes, height), _base(wishes, wishes.gap)
     stops = [_first_stop(base, kinematics), _mark_stop(low, wishes), Stop("up", base[None])]
     axes = {axis.letter: axis for axis in machine.axes}
+    lines = (kinematics.point1, kinematics.point2)  # with the tip at zero
     for k in range(5):
         letter, change = kinematics.letters[k], np.zeros(5)
         change[k] = _travel(kinematics, k, base, wishes.travel) if k < 3 else angles[k - 3]
         other = kinematics.letters[7 - k] if k >= 3 else ""
         sentence = (
-            linear_seen(axes[letter], change[k]) if k < 3 else rotary_seen(axes[letter], other, change[k])
+            linear_seen(axes[letter], change[k])
+            if k < 3
+            else rotary_seen(axes[letter], other, change[k], -lines[k - 3])
         )
         amount = Length(change[k], "+g") if k < 3 else Angle(math.degrees(change[k]), "+g")
         stops.append(

@@ -5,6 +5,8 @@ right  +X of the machine; back  +Y, away from the operator; up  +Z. A machine th
        at from where this is so; the sheet says it at its head.
 turn   a positive rotary word turns the **tool relative to the work** right-handed about the axis' direction
        (ISO 841). A head does that itself; a table turns the part the other way.
+size   of a turn: what a place 100 mm away from the axis, square to it, moves in the direction that is told.
+       Of an axis that leans the tip is not as far off as it is below the pivot.
 """
 
 from __future__ import annotations
@@ -30,6 +32,9 @@ WAYS = (
 )
 ARM = 100.0
 """mm from the axis where the size of a turn is said."""
+BELOW = np.array([0.0, 0.0, -1.0])
+NEAR = 10.0
+"""mm: nearer than that to the axis nobody sees the tip swing; then the way is told of one straight below."""
 
 
 def linear_seen(axis: Axis, travel: float) -> tuple[str, str]:
@@ -58,14 +63,15 @@ def linear_seen(axis: Axis, travel: float) -> tuple[str, str]:
     return text, say("The table goes {right}: {letter} has the wrong sign.", right=right, letter=axis.letter)
 
 
-def rotary_seen(axis: Axis, other: str, angle: float) -> tuple[str, str]:
+def rotary_seen(axis: Axis, other: str, angle: float, hanging: Floats = BELOW) -> tuple[str, str]:
     """Return the same for the word of a rotary axis turned to ``angle`` rad; ``other``: the letter of the
-    other rotary axis."""
+    other rotary axis; ``hanging`` (3,) mm: the tip of a head, tool upright, from a point of the
+    axis."""
     spin = np.array(axis.direction) * math.copysign(1.0, angle) * (1.0 if axis.side == "head" else -1.0)
     degrees = Angle(math.degrees(abs(angle)))
     view, right, wrong = _view(spin)
     what = say("table") if axis.side == "table" else say("head")
-    mark, opposite = _mark(spin, abs(angle), axis.side)
+    mark, opposite = _mark(spin, abs(angle), axis.side, hanging)
     text = say(
         "Only {letter} turns: the {what} turns {right} by {degrees}, seen {view}; {mark}.",
         letter=axis.letter,
@@ -109,22 +115,30 @@ def _view(spin: Floats) -> tuple[Sentence, Sentence, Sentence]:
     return VIEWS[best][1] + lean, senses[int(towards)], senses[int(not towards)]
 
 
-def _mark(spin: Floats, angle: float, side: str) -> tuple[Sentence, Sentence]:
+def _swing(spin: Floats, hanging: Floats) -> Floats | None:
+    """Return where the tip goes (3,), of any length, as it hangs (3,) mm from a point of the axis; None where
+    the tool turns about itself."""
+    moved = np.cross(spin, hanging)
+    if np.linalg.norm(moved) < NEAR:
+        moved = np.cross(spin, BELOW)
+    return None if np.linalg.norm(moved) < 0.1 else np.asarray(moved)
+
+
+def _mark(spin: Floats, angle: float, side: str, hanging: Floats) -> tuple[Sentence, Sentence]:
     """Return a place to watch and where it goes, by how much; and where it goes with the wrong sign."""
     arc = ARM * math.sin(angle)
     if side == "head":
-        moved = np.cross(spin, (0.0, 0.0, -1.0))
-        if np.linalg.norm(moved) < 0.1:
+        moved = _swing(spin, hanging)
+        if moved is None:
             return say("the tool turns about itself"), say("the tool turning about itself the other way")
-        size = _size(arc * float(np.linalg.norm(moved)))
-        return say("the tip swings {way}, {size}", way=_way(moved), size=size), say(
+        return say("the tip swings {way}, {size}", way=_way(moved), size=_size(arc)), say(
             "the tip swinging {way}", way=_way(-moved)
         )
     moves = [(np.cross(spin, np.array(edge)), name) for edge, name in EDGES]
     upright = [move for move in moves if abs(move[0][2]) > 0.5]
     moved, name = upright[0] if upright else moves[0]
     flat = np.where(np.arange(3) == 2, moved, 0.0) if upright else moved
-    size = _size(arc * float(np.abs(flat).max()))
+    size = _size(arc * float(np.abs(flat).max() / np.linalg.norm(moved)))
     return (
         say("its {edge} edge goes {way}, {size}", edge=name, way=_way(flat), size=size),
         say("its {edge} edge going {way}", edge=name, way=_way(-flat)),

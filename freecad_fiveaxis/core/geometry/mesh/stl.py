@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.base.sentences import Number, say
 from .triangles import Mesh, from_columns, join_loose
 
 HEADER = 84  # bytes: header text and count
+BOM = b"\xef\xbb\xbf"  # with which editors of Windows begin a text
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 
 _BYTES = 190
@@ -120,20 +121,29 @@ def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
                 return _binary_columns(stream, facets)
             stream.seek(0)
             _check_room(size // _ASCII_BYTES)
-            data = stream.read()
+            data = stream.read().removeprefix(BOM)
     except FileError:
         raise
     except OSError as problem:
         raise FileError(
             say(
-                "STL file {path} cannot be read: {strerror}",
+                "STL file {path} cannot be read: {strerror}; check its name, its folder and your "
+                "right to read it",
                 path=os.fspath(path),
                 strerror=problem.strerror or problem,
             ),
             path,
         ) from problem
-    _check_text(data, facets)
+    _check_text(data, facets, len(data))
     return data
+
+
+def check_stl_beginning(start: bytes, size: int) -> None:
+    """Check that a file of ``size`` bytes, of which these are the first, may be an STL file; its facets are
+    not looked at. Raises MeshError."""
+    facets = int.from_bytes(start[80:HEADER], "little")
+    if size != HEADER + RECORD.itemsize * facets:
+        _check_text(start.removeprefix(BOM), facets, size)
 
 
 def _check_room(facets: int) -> None:
@@ -142,9 +152,9 @@ def _check_room(facets: int) -> None:
     check_memory(_BYTES * facets, what, say("export the part with a coarser tolerance, or free memory"))
 
 
-def _check_text(data: bytes, facets: int) -> None:
-    """Raise MeshError for what cannot be ASCII; ``facets`` is what it would announce as a binary file."""
-    size = len(data)
+def _check_text(data: bytes, facets: int, size: int) -> None:
+    """Raise MeshError for what cannot be ASCII, by the beginning of a file of ``size`` bytes; ``facets`` is
+    what it would announce as a binary file."""
     if not data[:HEADER].strip() and not data.strip():
         raise MeshError(say("the file is empty; export the part again"), size)
     if data[:HEADER].lstrip()[:5].lower() == b"solid" and b"\0" not in data:
@@ -152,7 +162,8 @@ def _check_text(data: bytes, facets: int) -> None:
     if size < HEADER or not _CONTROL.search(data[:1024]):
         raise MeshError(
             say(
-                "this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header",
+                "this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header; "
+                "export the part as STL",
                 size=size,
             ),
             size,

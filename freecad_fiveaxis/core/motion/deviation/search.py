@@ -31,7 +31,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.motion.trajectory import Frames, Motion, Vectors, derivatives
 
@@ -141,9 +141,8 @@ def _first_count(turn: Floats) -> Ints:
 
 def _first_pieces(turn: Floats) -> _Pieces:
     count = _first_count(turn)
-    block = np.repeat(np.arange(len(turn)), count)
+    block, index = number_runs(count)
     half = 0.5 / count[block]
-    index = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)
     return _Pieces(block, (2 * index + 1) * half, half)
 
 

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.columns import Matrix, map_vectors, split
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze, number_runs
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Point, say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, inverse_axis, joint_words
@@ -326,9 +326,8 @@ def _turn_at_once(harmless: Floats, bounds: Ints, best: Floats, words: Floats, b
 
 def _rows_between(first: Ints, last: Ints) -> tuple[Ints, Ints]:
     """Return the runs (m,) and rows (m,) behind ``first`` (k,) up to and with ``last`` (k,)."""
-    length = last - first
-    run = np.repeat(np.arange(len(first)), length)
-    return run, np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first - 1, length)
+    run, number = number_runs(last - first)
+    return run, first[run] + 1 + number
 
 
 def _hold_stand_ins(angles: Floats, kinematics: Chain) -> None:

@@ -27,7 +27,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.sentences import Length, plural, say
 
 from . import codes
@@ -307,8 +307,9 @@ def _new_words(
     """Line, letter and value of the words of all moves; of the G91 behind those that stand under it; and the
     code of each refused line, for the moves before it are in other modes."""
     moves = np.array([move for row in rows.tolist() for move in cycles.moves[row]], float).reshape(-1, 4)
-    of, first = np.repeat(rows, count), rows + shift[rows]
-    at = np.repeat(first, count) + np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+    run, number = number_runs(count)
+    of = rows[run]
+    at = of + shift[of] + number
     where = np.take_along_axis(moves[:, 1:], BACK[table.plane[of]], axis=1) / table.scale[of][:, None]
     stepped, again = table.steps[of], rows[table.steps[rows]]
     refused = np.array(list(cycles.refused), np.int64)
@@ -316,7 +317,7 @@ def _new_words(
         (at, "G", 1.0 - moves[:, 0]),
         (at[stepped], "G", np.full(int(stepped.sum()), 90.0)),
         *((at, letter, where[:, k]) for k, letter in enumerate("XYZ")),
-        ((first + np.maximum(count, 1))[table.steps[rows]], "G", np.full(len(again), 91.0)),
+        ((rows + shift[rows] + np.maximum(count, 1))[table.steps[rows]], "G", np.full(len(again), 91.0)),
         (refused + shift[refused], "G", np.array([code / 10.0 for code, _ in cycles.refused.values()])),
     ]
     letters = np.concatenate([np.full(len(line), ord(letter), np.int8) for line, letter, _ in parts])

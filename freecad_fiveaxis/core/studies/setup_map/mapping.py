@@ -146,7 +146,7 @@ def _build_map(
     deviation, time = np.array([cost.deviation for cost in costs]), np.array([cost.time for cost in costs])
     rewinds, within = np.array([row.rewinds for row in rows]), np.array([cost.within for cost in costs])
     stands = origin[:, 2] >= stand.least - BELOW
-    eligible = within & stands & _inside(origin, region)
+    eligible = within & stands & region.holds(origin)
     turn = np.array([row.turn for row in rows])
     choice = choose_free(
         lambda able: recommend_setup(origin, base.origin, deviation, time, rewinds, able, enough, turn),
@@ -166,11 +166,8 @@ def _build_map(
         over=np.array([cost.over for cost in costs]), within_limits=within, stands=stands, rewinds=rewinds,
         kind=np.array([row.kind for row in rows], np.int8), best=best, least=least, table=stand.table,
         bottom=stand.bottom, hits=choice.hits, findings=findings, least_hit=choice.least, above=above,
+        enough=enough,
     )  # fmt: skip
-
-
-def _inside(origin: Floats, region: Region) -> Bools:
-    return np.asarray(((origin >= region.low) & (origin <= region.high)).all(axis=1))
 
 
 def _findings(region: Region, origin: Floats, best: int | None, found: list[Found]) -> Iterator[Finding]:

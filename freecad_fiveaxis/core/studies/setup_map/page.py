@@ -25,8 +25,6 @@ from .stick_out import stick_out_record
 
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""
-LEAST_GAIN = 1.05
-"""A setup that lowers the deviation by less than this is no reason to move the part."""
 
 HEAD = (
     "setup",
@@ -61,23 +59,41 @@ def verdict(chart: SetupMap) -> Sentence:
         return join_sentences(
             (alone, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table)
         )
-    if now <= LEAST_GAIN * best:
-        text = Length(now, ".4g")
+    if chart.best == 0:
         good = say(
             "The present setup is as good as any of the region: largest deviation {whose} {deviation}.",
-            whose=_whose(chart),
-            deviation=text,
-        )
-        return join_sentences((good, _on_table(chart, 0)))
-    stand = say(
-        "Stand {place}: largest deviation {whose} {deviation} instead of {now}, {times} times less.",
-        place=place,
-        whose=_whose(chart),
-        deviation=Length(best, ".4g"),
-        now=Length(now, ".4g"),
-        times=Number(now / max(best, 1e-9), ".3g"),
-    )
-    return join_sentences((stand, on_table))
+            whose=_whose(chart), deviation=Length(now, ".4g"),
+        )  # fmt: skip
+        return join_sentences((good, on_table))
+    return join_sentences((_compare(chart, chart.best, place), on_table))
+
+
+def _compare(chart: SetupMap, row: int, place: Sentence) -> Sentence:
+    """Tell where the part should stand, and what that brings against the present setup: less deviation, or
+    where that one is as good by :attr:`SetupMap.level` what else."""
+    best, now = float(chart.max_deviation[row]), float(chart.max_deviation[0])
+    figures = {"place": place, "whose": _whose(chart), "deviation": Length(best, ".4g")}
+    if now > chart.level:
+        return say(
+            "Stand {place}: largest deviation {whose} {deviation} instead of {now}, {times} times less.",
+            **figures, now=Length(now, ".4g"), times=Number(now / max(best, 1e-9), ".3g"),
+        )  # fmt: skip
+    return say(
+        "Stand {place}: largest deviation {whose} {deviation}, as good as {now} in the present setup, which "
+        "{why}.",
+        **figures, now=Length(now, ".4g"), why=_why_not_present(chart, row),
+    )  # fmt: skip
+
+
+def _why_not_present(chart: SetupMap, row: int) -> Sentence:
+    """Tell, as what follows "which", what speaks against a present setup of as little deviation."""
+    if not chart.region.holds(chart.origin[:1])[0]:
+        return say("lies outside the region")
+    if chart.rewinds[0] > chart.rewinds[row]:
+        return say("turns back more often")
+    if chart.time[0] > chart.time[row]:
+        return say("takes longer")
+    return say("is turned farther")
 
 
 def _whose(chart: SetupMap) -> Sentence:
@@ -303,7 +319,7 @@ def _say_proven(chart: SetupMap) -> str:
 def _say_equal(chart: SetupMap) -> str:
     """Say why another setup of the map than that of the least deviation is recommended; nothing where it is
     that one."""
-    able = chart.max_deviation[chart.able & (chart.kind != Kind.PRESENT)]
+    able = chart.max_deviation[chart.able & chart.region.holds(chart.origin)]
     if chart.best is None or not len(able) or chart.max_deviation[chart.best] <= np.nanmin(able):
         return ""
     return (

@@ -116,6 +116,10 @@ class Region:
         )
         return x, y, z
 
+    def holds(self, origin: Floats) -> Bools:
+        """Tell which work zeros (k, 3) mm lie in the region."""
+        return np.asarray(((origin >= self.low) & (origin <= self.high)).all(axis=1))
+
     def grid(self) -> Floats:
         """Return the grid's work zeros (k, 3) mm, X fastest, then Y."""
         z, y, x = np.meshgrid(*reversed(self.lines()), indexing="ij")
@@ -139,7 +143,8 @@ class SetupMap:
     the machine, 0 where they hit nothing, NaN where nobody knows (no bodies, or no need to look).
     ``stick_out``: the shortest of the tool that is free in the recommended setup, and ``clamping``: what
     is hit of the fixtures there, and how high jaws may reach; None: nobody has looked. ``least_hit``:
-    where all that were tried hit the machine the row in which that is least; None: not all.
+    where all that were tried hit the machine the row in which that is least; None: not all. ``enough`` mm: a
+    deviation that needs no improvement.
     """
 
     machine: str
@@ -165,6 +170,7 @@ class SetupMap:
     clamping: Clamping | None = None
     least_hit: int | None = None
     above: float = 0.0
+    enough: float = 0.0
 
     def __post_init__(self) -> None:
         freeze(
@@ -177,6 +183,14 @@ class SetupMap:
     def able(self) -> Bools:
         """The setups (k,) that are within limits and stand, and in which nothing is known to be hit."""
         return self.within_limits & self.stands & ~(self.hits > 0.0)
+
+    @property
+    def level(self) -> float:
+        """The deviation, mm, up to which setups of the region are as good as its best; NaN where it has
+        none."""
+        able = self.max_deviation[self.able & self.region.holds(self.origin)]
+        able = able[np.isfinite(able)]
+        return as_good_as(float(able.min()), self.enough) if len(able) else math.nan
 
     def grid(self, column: Floats | Bools) -> Floats:
         """Return the grid's part of a column, (turns, z, y, x)."""

@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Choice
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces
 from freecad_fiveaxis.core.gouge.check import program_motion
@@ -83,7 +84,8 @@ class Standing:
     they lie at turn 0; ``table`` mm, machine frame.
     ``stack``: the tool; ``known``: whether its length is, that of ``base``; ``back`` mm from the tip up to
     the point that the words drive. ``clearance`` mm: holder and spindle keep so far off; ``tolerance``
-    mm."""
+    mm. ``axes_by``: the option by which ``mill`` would give another tool other axes than those of the path,
+    None where it would not."""
 
     path: CLPath
     machine: Machine
@@ -99,6 +101,7 @@ class Standing:
     back: float
     clearance: float
     tolerance: float
+    axes_by: Choice | None = None
 
     def run(self, more: float = 0.0, progress: Progress = silent) -> Run:
         """Post the program of the setup, of a tool that sticks out ``more`` mm farther. Raises ReachError,

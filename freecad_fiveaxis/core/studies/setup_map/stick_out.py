@@ -7,6 +7,10 @@ enough     the length that is proposed. With it every block of the program is **
 tried      lengths are multiples of a STEP, but for the present one. It is halved between one that is free and
            one that is not; where the present one is not free, ever longer ones are tried first.
 
+path       proven is the path that was made for the tool as it is set. Where tool axes are chosen by what is
+           free of the holder, ``mill`` makes another for another tool, and there less may be enough: no
+           length is told to be the shortest of all paths, and one is told to try.
+
 A longer tool is not always the freer one: what is higher above the tip may meet an overhang, or the axes
 leave their limits. So the length that is proposed is proven by itself, and says nothing of others.
 """
@@ -26,7 +30,16 @@ from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Ints
-from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, join_sentences, say
+from freecad_fiveaxis.core.base.sentences import (
+    Choice,
+    Length,
+    Option,
+    Point,
+    Sentence,
+    Task,
+    join_sentences,
+    say,
+)
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
 from freecad_fiveaxis.core.tool.text import cutter_text
@@ -39,8 +52,15 @@ STEP = 0.1
 LONGER = 80.0
 """mm by which a tool may be longer than it is, within reason, as in the reach map."""
 
+LESS = 10.0
+"""mm by which a tool is to be tried shorter where it is given other axes."""
+
 FIRST = 2.5
 """mm by which it is tried to be longer first; then twice as much, and so on."""
+
+
+Options = tuple[tuple[str, str], ...]
+"""Names and values of options."""
 
 
 @dataclass(frozen=True)
@@ -49,14 +69,18 @@ class StickOut:
     ``longest`` mm is. ``met``: with the present one (None: nothing); ``shorter``: with a length that is
     shorter by a STEP than is enough (None: it cannot be clamped shorter), or where none is free with the one
     of those tried with which the least is met. ``options``: names and values of the options that state the
-    length that is enough, those alone that change; an empty value: the option is left out."""
+    length that is enough, those alone that change; an empty value: the option is left out. ``axes_by``: the
+    option by which another tool is given another path (None: it is not), and ``to_try``: the options of a
+    shorter tool that may do there."""
 
     present: float
     enough: float | None
     longest: float
     met: Met | None = None
     shorter: Met | None = None
-    options: tuple[tuple[str, str], ...] = ()
+    options: Options = ()
+    axes_by: Choice | None = None
+    to_try: Options = ()
 
 
 def find_stick_out(stand: Standing, progress: Progress = silent) -> StickOut | None:
@@ -70,9 +94,12 @@ def find_stick_out(stand: Standing, progress: Progress = silent) -> StickOut | N
     present, longest = stand.stack.stick_out, lengths.at(lengths.last)
     met = lengths.describe(lengths.present)
     if found is None:
-        return StickOut(present, None, longest, met, shorter)
+        return StickOut(present, None, longest, met, shorter, axes_by=stand.axes_by)
     options = tuple(_options(stand, lengths.at(found)))
-    return StickOut(present, lengths.at(found), longest, met, shorter, options)
+    less = max(found - round(LESS / STEP), lengths.first)
+    other = stand.axes_by is not None and met is None and less < found
+    to_try = tuple(_options(stand, lengths.at(less))) if other else ()
+    return StickOut(present, lengths.at(found), longest, met, shorter, options, stand.axes_by, to_try)
 
 
 class _Meeting(NamedTuple):
@@ -231,34 +258,63 @@ def stick_out_findings(found: StickOut | None) -> Iterator[Finding]:
         )  # fmt: skip
         last = say("Use a smaller holder, lean the tool otherwise, or clamp the part otherwise.")
         yield report_finding(
-            Code.NO_STICK_OUT_FREE, join_sentences((text, _say_met(met), last)), found.longest
+            Code.NO_STICK_OUT_FREE,
+            join_sentences((text, _say_met(met), _say_path(found), last)),
+            found.longest,
         )
         return
     yield _enough_finding(found, found.enough)
 
 
 def _enough_finding(found: StickOut, least: float) -> Finding:
-    enough, present, given = Length(least, ".6g"), Length(found.present, ".6g"), _option_words(found)
+    enough, present = Length(least, ".6g"), Length(found.present, ".6g")
+    given = _give_words(found.options)
     if found.met is not None:
         text = say("Tool stick-out: {enough} are needed, {present} are set.", enough=enough, present=present)
-        text = join_sentences((text, _say_met(found.met), given))
+        text = join_sentences((text, _say_met(found.met), given, _say_path(found)))
         return report_finding(Code.STICK_OUT_TOO_SHORT, text, least, found.present)
     if given:
         text = say("Tool stick-out: {enough} are enough, {present} are set.", enough=enough, present=present)
     else:
         text = say("Tool stick-out: the {present} that are set are the least.", present=present)
-    return report_finding(Code.STICK_OUT_ENOUGH, join_sentences((text, given, _shorter_words(found))), least)
+    text = join_sentences((text, given, _shorter_words(found), _say_path(found), _say_what_to_try(found)))
+    return report_finding(Code.STICK_OUT_ENOUGH, text, least)
 
 
-def _option_words(found: StickOut) -> Sentence | str:
-    """Return the options to give, in words; empty where nothing changes."""
+def _say_path(found: StickOut) -> Sentence | str:
+    """Tell of which path that is proven; nothing where every tool has the same."""
+    if found.axes_by is None:
+        return ""
+    return say(
+        "This is told of the path as it was made for {present}: by {axes_by} another tool is given another "
+        "path.",
+        present=Length(found.present, ".6g"), axes_by=found.axes_by,
+    )  # fmt: skip
+
+
+def _say_what_to_try(found: StickOut) -> Sentence | str:
+    if not found.to_try:
+        return ""
+    return say(
+        "A shorter one may then do: to try it, run {task} with {options}; it says whether that is free.",
+        task=Task("mill"), options=_option_words(found.to_try),
+    )  # fmt: skip
+
+
+def _give_words(options: Options) -> Sentence | str:
+    """Return the options to give, as a sentence; empty where nothing changes."""
+    return say("Give {options}.", options=_option_words(options)) if options else ""
+
+
+def _option_words(options: Options) -> Sentence:
+    """Return options in words."""
     parts = [
         say("{option} {value}", option=Option(name), value=value)
         if value
         else say("no {option}", option=Option(name))
-        for name, value in found.options
+        for name, value in options
     ]
-    return say("Give {options}.", options=join_sentences(parts, ", ")) if parts else ""
+    return join_sentences(parts, ", ")
 
 
 def _shorter_words(found: StickOut) -> Sentence | str:
@@ -303,6 +359,8 @@ def stick_out_record(found: StickOut | None) -> dict[str, object] | None:
         "present": found.present, "enough": found.enough, "longest": found.longest,
         "met": record_met(found.met), "shorter": record_met(found.shorter),
         "options": {name: value or None for name, value in found.options},
+        "axes_by": None if found.axes_by is None else str(found.axes_by),
+        "to_try": {name: value or None for name, value in found.to_try},
     }  # fmt: skip
 
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, number_runs
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, dot
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.geometry.nearest import Facets, Pieces, nearest, search
@@ -154,8 +154,7 @@ def _cut_back_side(chords: Chords, part: Part, chord: Ints, sense: float) -> Int
 def _places(chords: Chords, low: Floats, high: Floats) -> tuple[Ints, Floats]:
     """Return the row of the stretch (n,) and the place (n,) mm on it, of places along stretches."""
     count = np.clip(np.ceil((high - low) / (STEP * chords.radius)), 1, MOST).astype(np.int64)
-    owner = run_ids(count)
-    step = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+    owner, step = number_runs(count)
     return owner, low[owner] + (step + 0.5) / count[owner] * (high - low)[owner]
 
 
