@@ -100,6 +100,7 @@ def machines() -> list[str]:
         "stepover": STEPOVER,
         "tool_length": LENGTH,
         "cures": "none",
+        "gouge": "off",
     }
     for one in try_machines(build_settings("compare", "dome", given), mesh=mesh("dome")).rows:
         guided, peak = "yes" if one.tool_centre else "no", max(one.peak_rate[:3])
@@ -107,7 +108,7 @@ def machines() -> list[str]:
             row(
                 one.machine,
                 guided,
-                f"{one.deviation:.3f}",
+                "ends only" if one.tool_centre else f"{one.deviation:.3f}",
                 str(one.blocks),
                 duration(one.time),
                 f"{peak:.0f}",

@@ -69,12 +69,12 @@ class Table:
     def show_rows(self, path: Any, comparison: Any) -> None:
         """Fill the table."""
         from freecad_fiveaxis.app import wording
-        from freecad_fiveaxis.core.studies.compare import verdict
+        from freecad_fiveaxis.core.studies.compare import headline
 
         self.comparison = comparison
         self.label, self.document = path.Label, path.Document
         self.dock.setWindowTitle(translate("FiveAxis", "Machines on {label}").format(label=path.Label))
-        self.verdict.setText(wording.localize(verdict(comparison.rows, comparison.settings.proof.tolerance)))
+        self.verdict.setText(wording.localize(headline(comparison.rows, comparison.settings.proof.tolerance)))
         self.error.setText("")
         self.table.setSortingEnabled(False)
         beside = any(row.fixtures is not None for row in comparison.rows)
@@ -144,6 +144,7 @@ def heads() -> list[str]:
         translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"),
         translate("FiveAxis", "Peak of 1st rotary"),
         translate("FiveAxis", "Peak of 2nd rotary"), translate("FiveAxis", "Limits"),
+        translate("FiveAxis", "Part"),
         translate("FiveAxis", "Fixtures"),
     ]  # fmt: skip
 
@@ -161,7 +162,7 @@ def cells(row: Any) -> list[Cell]:
     if row.problem:
         reason = Cell(translate("FiveAxis", "impossible: {why}").format(why=wording.localize(row.problem)))
         reason.setToolTip(wording.localize(row.problem))
-        return [*named, *(Cell("–") for _ in range(7)), reason, Cell("–")]
+        return [*named, *(Cell("–") for _ in range(7)), reason, Cell("–"), Cell("–")]
     linear = max(row.peak_rate[:3])
     within, ends = translate("FiveAxis", "within"), translate("FiveAxis", "only at block ends")
     over = translate("FiveAxis", "over by {length}").format(length=length_text(row.over))
@@ -173,12 +174,35 @@ def cells(row: Any) -> list[Cell]:
         Cell(f"{length_text(linear)}/min", linear),
         *(_turning(row, column) for column in (3, 4)),
         Cell(over if row.over > LEAST_OVER else within, row.over),
+        _in_part(row),
         _beside(row),
     ]  # fmt: skip
 
 
 LEAST_OVER = 5e-4
 """mm; less beyond a limit than this is none, as in the core's own table."""
+
+
+def _in_part(row: Any) -> Cell:
+    """Return how deep the tool goes into the part, sorted by that; what was not looked at comes last."""
+    from freecad_fiveaxis.app import wording
+    from freecad_fiveaxis.core.base.codes import Code
+    from freecad_fiveaxis.core.studies.compare.beside_part import find_deepest
+
+    from .scene.units import length_text
+
+    if row.part is None:
+        return Cell(translate("FiveAxis", "not checked"))
+    deepest = find_deepest(row.part)
+    if deepest is None:
+        return Cell(translate("FiveAxis", "free"), 0.0)
+    known = deepest.value is not None and deepest.unit == "mm" and deepest.code != Code.AVOIDED_FACES_NEAR
+    text = translate("FiveAxis", "collides")
+    if known:
+        text = translate("FiveAxis", "{length} deep").format(length=length_text(deepest.value or 0.0))
+    cell = Cell(text, deepest.value if known else math.inf)
+    cell.setToolTip(wording.localize(deepest.text))
+    return cell
 
 
 def _beside(row: Any) -> Cell:

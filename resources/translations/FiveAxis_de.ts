@@ -2687,6 +2687,10 @@
         <translation>Über der Toleranz</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Werkstück</translation>
+    </message>
+    <message>
         <source>Part in the document</source>
         <translation>Teil im Dokument</translation>
     </message>
@@ -3739,6 +3743,10 @@
         <translation>Lücken an Kanten schließen</translation>
     </message>
     <message>
+        <source>collides</source>
+        <translation>kollidiert</translation>
+    </message>
+    <message>
         <source>collision between passes: {count} places</source>
         <translation>Kollision zwischen Bahnen: {count} Stellen</translation>
     </message>
@@ -4025,6 +4033,10 @@
     <message>
         <source>normal weighted by step</source>
         <translation>Normale, nach Schritt gewichtet</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>nicht geprüft</translation>
     </message>
     <message>
         <source>not determined</source>
@@ -4399,6 +4411,10 @@
     <message>
         <source>{length} (centre)</source>
         <translation>{length} (Mitte)</translation>
+    </message>
+    <message>
+        <source>{length} deep</source>
+        <translation>{length} tief</translation>
     </message>
     <message>
         <source>{length} from {fixture}</source>
@@ -4928,6 +4944,18 @@
         <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
+        <source>In 1 of {all} ways it is not checked whether the tool goes into the part.</source>
+        <translation>Bei 1 von {all} Wegen ist nicht geprüft, ob das Werkzeug ins Werkstück geht.</translation>
+    </message>
+    <message>
+        <source>In 1 of {all} ways more of the surface is left out than in others.</source>
+        <translation>Bei 1 von {all} Wegen bleibt mehr von der Fläche ausgelassen als bei anderen.</translation>
+    </message>
+    <message>
+        <source>In 1 of {all} ways the tool goes into the part.</source>
+        <translation>Bei 1 von {all} Wegen geht das Werkzeug ins Werkstück.</translation>
+    </message>
+    <message>
         <source>In 1 of {all} ways the tool hits a fixture.</source>
         <translation>Auf 1 von {all} Wegen trifft das Werkzeug ein Spannmittel.</translation>
     </message>
@@ -5030,6 +5058,18 @@
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
         <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
+    </message>
+    <message>
+        <source>In {count} of {all} ways it is not checked whether the tool goes into the part.</source>
+        <translation>Bei {count} von {all} Wegen ist nicht geprüft, ob das Werkzeug ins Werkstück geht.</translation>
+    </message>
+    <message>
+        <source>In {count} of {all} ways more of the surface is left out than in others.</source>
+        <translation>Bei {count} von {all} Wegen bleibt mehr von der Fläche ausgelassen als bei anderen.</translation>
+    </message>
+    <message>
+        <source>In {count} of {all} ways the tool goes into the part.</source>
+        <translation>Bei {count} von {all} Wegen geht das Werkzeug ins Werkstück.</translation>
     </message>
     <message>
         <source>In {count} of {all} ways the tool hits a fixture.</source>
@@ -10710,6 +10750,10 @@
     <message>
         <source>{value} beside the faces to avoid stay uncut for the allowance on these</source>
         <translation>{value} neben den ausgesparten Flächen bleiben wegen des Abstands zu diesen ungefräst</translation>
+    </message>
+    <message>
+        <source>{value} is named twice in {option}; name it once</source>
+        <translation>{value} ist in {option} zweimal genannt; einmal genügt</translation>
     </message>
     <message>
         <source>{value} is no list of names; write ["M202", "CYCL DEF 392"]</source>

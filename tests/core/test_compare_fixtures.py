@@ -65,7 +65,7 @@ def test_unless_another_cure_is_named_the_path_is_lifted_out_of_the_fixture_as_i
     assert not [one for one in result.findings if one.code == Code.FIXTURE_COLLISION]
     off = compared("none", gouge="off")
     assert off.settings.gouge.gouge == "off" and compared("none").settings.gouge.gouge == "lift"
-    assert compared("none", fixtures=()).settings.gouge.gouge == "off", "without fixtures as before"
+    assert compared("none", fixtures=()).settings.gouge.gouge == "lift", "without fixtures too"
 
 
 def test_where_the_controller_guides_the_tip_dense_samples_of_its_way_find_the_same_depth(tmp_path):
@@ -186,7 +186,8 @@ def test_retracts_keep_off_the_box_of_part_and_fixture_as_in_mill(monkeypatch):
             module, "solve", lambda *given, whole=whole, **more: calls.append(given) or whole(*given, **more)
         )
     compared("none", holder="40x30")
-    (_, _, low, high, *_, milled_tool, _), (_, _, also_low, also_high, *_, tool) = calls
+    assert len(calls) == 2, "the program of the draft, which is the row's own, and where the tip is guided"
+    (_, _, low, high, *_, milled_tool, _), (_, _, also_low, also_high, *_, tool, _) = calls
     assert low.tolist() == also_low.tolist() == [0, -8, 0]
     assert high.tolist() == also_high.tolist() == [30, 20, 25]
     assert tool == milled_tool and len(tool.pieces) > 1

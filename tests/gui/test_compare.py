@@ -222,3 +222,18 @@ def test_fixtures_of_the_path_are_ticked_and_what_is_ticked_stands_in_the_table_
     until(lambda: table.isColumnHidden(last), 60000, "no column of fixtures")
     panel_button("Close")
     assert path.Fixtures == [post] and path.Fingerprint == before
+
+
+def test_the_table_says_what_goes_into_the_part_and_what_nobody_has_looked_at(path, doc):
+    from freecad_fiveaxis.gui import comparison_table
+
+    shown = comparison_table.show(path, comparing.compare(path, ["trunnion_ac"], ["linearize"]))
+    part = comparison_table.heads().index("Part")
+    assert [shown.table.item(row, part).text() for row in range(2)] == ["free", "free"]
+    assert "checked" not in shown.verdict.text()
+    path.Gouge = "off"
+    doc.recompute()
+    shown = comparison_table.show(path, comparing.compare(path, ["trunnion_ac"], ["linearize"]))
+    assert [shown.table.item(row, part).text() for row in range(2)] == ["not checked", "not checked"]
+    assert "In 2 of 2 ways it is not checked" in shown.verdict.text()
+    shown.dock.close()

@@ -63,12 +63,12 @@ from .collision_avoidance import (
     rest_material_findings,
     still_true,
 )
-from .context import Box, PostContext
+from .context import Box, MillContext, PostContext
 from .driving import drive, post_path
 from .fewer_axes import suit_tool_axis
 from .in_machine import check_bodies, look_in_machine, over_tip
 from .mill_context import mill_context
-from .milling import mill
+from .milling import Seen, mill
 from .options import (
     cl_reading,
     compute_driven_to_hub,
@@ -85,7 +85,7 @@ from .options import (
 )
 from .over_table import table_looked_at
 from .part_size import unit_suspected
-from .programs import MilledProgram, PostedProgram, ProgramDraft, Result
+from .programs import MilledProgram, MillSource, PostedProgram, ProgramDraft, Result
 from .rotary_axis import settle_rotary_axis
 from .safe_start import add_safe_start
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
@@ -105,12 +105,12 @@ def run(settings: Settings, progress: Progress = silent, mesh: Mesh | None = Non
 
 def make(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    fixtures: tuple[Fixture, ...] | None = None,
+    fixtures: tuple[Fixture, ...] | None = None, seen: Seen | None = None,
 ) -> ProgramDraft:  # fmt: skip
     """Return the program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source``
     only its name; facets of it with an allowance are those to avoid; ``faces`` (f,): the facets of it that
-    are to be cut, None: all; ``fixtures``: where they are at hand and the settings only name them. Raises
-    FiveAxisError for input that cannot be used."""
+    are to be cut, None: all; ``fixtures``: where they are at hand and the settings only name them;
+    ``seen``: gets what the stages of ``mill`` make. Raises FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
     check_bodies(settings, machine)
@@ -118,17 +118,13 @@ def make(
     if settings.task in (MILL, POST):
         dialect = _configure_dialect(settings, machine, dialect)
     if settings.task == MILL:
-        find_strategy(settings.tool_axis.tool_axis)
-        find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
-        mesh, faces, avoided, reports = choose_facets(settings, mesh, faces, progress)
-        settings = settle_rotary_axis(settings, kinematics, mesh)
-        context, left_out = mill_context(
-            settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided
-        )
-        reports += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
-        milled = mill(context)
-        return replace(milled, findings=reports + milled.findings, fixtures=fixtures)
+        given = MillSource(settings, mesh, faces, fixtures)
+        context, reports = begin_mill(settings, machine, kinematics, dialect, given, progress)
+        if seen is not None:
+            seen(context, reports)
+        milled = mill(context, seen)
+        return replace(milled, findings=reports + milled.findings, fixtures=fixtures, given=given)
     if settings.task == POST:
         return post(settings, machine, kinematics, dialect, progress, fixtures)
     text = read_bytes(settings.source, "NC file")
@@ -155,6 +151,22 @@ def make(
         settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures,
         assumed=assume_length(reading, dialect),
     )  # fmt: skip
+
+
+def begin_mill(
+    settings: Settings, machine: Machine, kinematics: Chain, dialect: Dialect, given: MillSource,
+    progress: Progress = silent,
+) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
+    """Return what the stages of ``mill`` work in, and what there is to say of the facets. Raises
+    FiveAxisError for input that cannot be used."""
+    find_strategy(settings.tool_axis.tool_axis)
+    find_pass_strategy(settings.passes.passes)
+    mesh, faces, avoided, reports = choose_facets(settings, given.mesh, given.faces, progress)
+    settings = settle_rotary_axis(settings, kinematics, mesh)
+    context, left_out = mill_context(
+        settings, mesh, machine, kinematics, dialect, progress, faces, given.fixtures, avoided
+    )
+    return context, reports + mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
 
 
 def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:

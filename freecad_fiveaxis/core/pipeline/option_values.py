@@ -149,7 +149,12 @@ def _place(given: Any, name: str) -> str | Vector:
 
 def _names(given: Any, name: str) -> tuple[str, ...]:
     parts = [part.strip() for item in _paths(given, name) for part in item.split(",")]
-    return tuple(dict.fromkeys(read_text(part, name) for part in parts))
+    names = tuple(read_text(part, name) for part in parts)
+    twice = next((one for at, one in enumerate(names) if one in names[:at]), None)
+    if twice is not None:
+        text = say("{value} is named twice in {option}; name it once", value=repr(twice), option=Option(name))
+        raise SettingsError(text, twice)
+    return names
 
 
 def _paths(given: Any, name: str) -> tuple[str, ...]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.base.findings import Finding
@@ -57,11 +58,22 @@ class PostedProgram(ProgramDraft):
     plane: StartPlane = field(default=StartPlane(None), kw_only=True)
 
 
+class MillSource(NamedTuple):
+    """What a program was to be made of: settings, the part, the facets (f,) of it that were chosen, None:
+    all, and the fixtures."""
+
+    settings: Settings
+    mesh: Mesh
+    faces: Bools | None
+    fixtures: tuple[Fixture, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class MilledProgram(PostedProgram):
     """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each
     row of ``offset``; ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is
-    one; ``keep_off``: faces to avoid on which there is an allowance; ``entering``: as of a LinkedPath."""
+    one; ``keep_off``: faces to avoid on which there is an allowance; ``entering``: as of a LinkedPath;
+    ``given``: what it was to be made of."""
 
     mesh: Mesh
     contact: ContactPath
@@ -71,6 +83,7 @@ class MilledProgram(PostedProgram):
     boundary: Boundary | None = field(default=None, kw_only=True)
     keep_off: KeepOff | None = field(default=None, kw_only=True)
     entering: float = field(default=0.0, kw_only=True)
+    given: MillSource | None = field(default=None, kw_only=True)
 
     def context(self, progress: Progress) -> MillContext:
         """Return what the stages took that made it, with another progress to tell."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fixtures in task ``compare``: what they change in its settings, how they stand beside the program of each
-machine, and what is reported of them."""
+"""Part and fixtures in task ``compare``: how they stand beside the program of each machine, and what is
+reported of them."""
 
 from __future__ import annotations
 
@@ -23,20 +23,7 @@ from freecad_fiveaxis.core.tool.body import Body, lower_body
 
 from .compare import Beside, Row
 from .compare.beside_fixtures import find_worst_meeting, hits_fixture
-
-
-def settle_beside(
-    settings: Settings, mesh: Mesh | None, fixtures: Sequence[Fixture], progress: Progress
-) -> tuple[Mesh | None, Settings]:
-    """Return the part, where there is one and fixtures stand beside it, and settings by which the path is
-    lifted out of these as in ``mill``, unless it is said otherwise. Raises FiveAxisError for a fixture in the
-    part."""
-    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
-    if mesh is None or not fixtures:
-        return mesh, settings
-    if settings.gouge.gouge == "off" and "gouge" not in settings.explicit:
-        settings = replace(settings, gouge=replace(settings.gouge, gouge="lift"))
-    return mesh, settings
+from .compare.beside_part import find_deepest
 
 
 def read_part_beside(
@@ -66,6 +53,15 @@ def stand_beside(job: Settings, machine: Machine, setup: Setup, fixtures: Sequen
     return Beside(tuple(fixtures), stack, rapid, back, job.proof.tolerance, job.gouge.fixture_clearance)
 
 
+def report_entries(rows: Sequence[Row]) -> Iterator[Finding]:
+    """Yield the deepest entry into the part of all rows: an error where every way has one."""
+    able = [row for row in rows if not row.problem]
+    found = [(row, deep) for row in able if (deep := find_deepest(row.part)) is not None]
+    if found:
+        row, deep = max(found, key=lambda one: one[1].value or 0.0)
+        yield _of_row(row, deep, len(found) == len(able))
+
+
 def report_hits(rows: Sequence[Row]) -> Iterator[Finding]:
     """Yield the deepest entry into a fixture of all rows: an error where every way has one."""
     able = [row for row in rows if not row.problem]
@@ -73,9 +69,13 @@ def report_hits(rows: Sequence[Row]) -> Iterator[Finding]:
     found = [(met.room, row, met.found) for row in hit if (met := find_worst_meeting(row.fixtures))]
     if found:
         _, row, deep = min(found, key=lambda one: one[0])
-        text = say(
-            "On {machine} with correction {cure}: {what}",
-            machine=row.machine, cure=Choice("cures", (row.cure,), alone=True), what=deep.text,
-        )  # fmt: skip
-        grave = Severity.ERROR if len(hit) == len(able) else Severity.WARNING
-        yield replace(deep, severity=grave, text=text, block=None, line=None)
+        yield _of_row(row, deep, len(hit) == len(able))
+
+
+def _of_row(row: Row, found: Finding, everywhere: bool) -> Finding:
+    text = say(
+        "On {machine} with correction {cure}: {what}",
+        machine=row.machine, cure=Choice("cures", (row.cure,), alone=True), what=found.text,
+    )  # fmt: skip
+    grave = Severity.ERROR if everywhere else Severity.WARNING
+    return replace(found, severity=grave, text=text, block=None, line=None)

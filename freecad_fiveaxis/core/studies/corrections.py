@@ -2,9 +2,10 @@
 """The cures there are, in one table: ``compare`` puts each of them into its columns.
 
 To add one: a line in CURES. It makes the cure (see :mod:`.compare`) for what ``job.make`` has made, so it has
-the settings at hand. A cure that divides blocks starts from :func:`~.compare.solve_path`; those that turn the
-tool axes are the corrections of ``core.orientation.axis_corrections``. A cure is a function of a module with
-what it needs put in first (``partial``), so that it can be sent to another process.
+the settings at hand. Those that ``mill`` has as options make its program anew with these (:mod:`.as_milled`);
+a cure that divides blocks otherwise starts from :func:`~.compare.solve_path`, one that leads the tool axes
+otherwise is a correction as those of ``core.orientation.axis_corrections``. A cure is a function of a module
+with what it needs put in first (``partial``), so that it can be sent to another process.
 """
 
 from __future__ import annotations
@@ -17,17 +18,18 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.linearize import linearize
-from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS, AxisCorrection
-from freecad_fiveaxis.core.pipeline.build_path import lift_rows, link_contacts
-from freecad_fiveaxis.core.pipeline.options import axis_corrections
+from freecad_fiveaxis.core.orientation.axis_corrections import AxisCorrection
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
+from .as_milled import AsMilled
 from .compare import Cure, Station, solve_path
 
 
 def dividing(draft: PostedProgram) -> Cure:
     """Return the cure that divides feed blocks over tolerance into the fewest that hold it."""
+    if isinstance(draft, MilledProgram):
+        return AsMilled(draft, {"cure": {"linearize": "on"}})
     return partial(_divide_blocks, draft.settings.proof.tolerance)
 
 
@@ -56,28 +58,32 @@ def cures(draft: PostedProgram, names: Sequence[str] = ()) -> dict[str, Cure]:
 def leading(correction: AxisCorrection, draft: PostedProgram) -> Cure:
     """Return the cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a
     path that was made from a solid."""
-    return partial(_correct_axes, correction, draft)
+    if isinstance(draft, MilledProgram):
+        return AsMilled(draft, {}, correction)
+    return partial(_refuse_leading, draft.settings.source)
 
 
-def _correct_axes(
-    correction: AxisCorrection, draft: PostedProgram, path: CLPath, where: Station, progress: Progress
-) -> JointPath:
-    if not isinstance(draft, MilledProgram):
-        text = say(
-            "this correction turns the tool axes over the part's facets; give it the STL, not a CL file"
-        )
-        raise SettingsError(text, draft.settings.source)
-    context = draft.context(progress)
-    options = axis_corrections(context)
-    offset, given = correction.rows(draft.offset, draft.axis, options)
-    axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
-    linked = link_contacts(context, offset, axis)
-    lifts = draft.fixtures and draft.settings.gouge.gouge in ("lift", "tilt")
-    return solve_path(lift_rows(context, linked).path if lifts else linked, where, progress)
+def driving(draft: PostedProgram) -> Cure:
+    """Return the cure that is none: the joints as the pipeline finds them."""
+    return AsMilled(draft, {}) if isinstance(draft, MilledProgram) else solve_path
+
+
+def choosing(group: str, option: str, value: str, draft: PostedProgram) -> Cure:
+    """Return the cure that ``mill`` has as an option which leads the tool axes."""
+    if isinstance(draft, MilledProgram):
+        return AsMilled(draft, {group: {option: value}})
+    return partial(_refuse_leading, draft.settings.source)
+
+
+def _refuse_leading(source: str, path: CLPath, where: Station, progress: Progress) -> JointPath:
+    text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
+    raise SettingsError(text, source)
 
 
 CURES: Mapping[str, Callable[[PostedProgram], Cure]] = {
-    "none": lambda draft: solve_path,
+    "none": driving,
     "linearize": dividing,
-    **{name: partial(leading, correction) for name, correction in AXIS_CORRECTIONS.items()},
+    "minimax": partial(choosing, "tool_axis", "tool_axis", "minimax"),
+    "auto": partial(choosing, "tool_axis", "tool_axis", "auto"),
+    "deform": partial(choosing, "cure", "singularity", "deform"),
 }

@@ -66,8 +66,9 @@ from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
+from .as_milled import Seen, check_against_part
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
-from .compare_beside import read_part_beside, report_hits, settle_beside, stand_beside
+from .compare_beside import read_part_beside, report_entries, report_hits, stand_beside
 from .corrections import check_cures, cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
@@ -228,7 +229,7 @@ def try_machines(
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
     machines = [load_machine(name) for name in names]
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
-    mesh, settings = settle_beside(settings, mesh, fixtures, progress)
+    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
     suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
     each_settings = [_job_settings(suited, name) for name in names]
     stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
@@ -240,11 +241,14 @@ def try_machines(
         station(
             machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text,
             stand_beside(program.settings, machine, setup, fixtures),
+            check_against_part(program, machine, setup, dialect),
         )
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
     ]  # fmt: skip
     rows = compare(program.path, stations, cures(program, wanted), progress=progress, executor=executor)
-    return Comparison(settings, program, rows, (*_row_findings(rows), *report_hits(rows)))
+    return Comparison(
+        settings, program, rows, (*_row_findings(rows), *report_entries(rows), *report_hits(rows))
+    )
 
 
 def _draft_for_first(
@@ -268,7 +272,8 @@ def _job_settings(settings: Settings, machine: str = "") -> Settings:
     """Return the settings of the task that makes the path, on one of several machines."""
     task = MILL if Path(settings.source).suffix.lower() == ".stl" else POST
     given = replace(settings.machine, machine=machine) if machine else settings.machine
-    return replace(settings, task=task, machine=given)
+    plain = replace(settings.head, rtcp="off")  # with and without it is tried anyway
+    return replace(settings, task=task, machine=given, head=plain if machine else settings.head)
 
 
 def _post_job(
@@ -277,11 +282,13 @@ def _post_job(
 ) -> PostedProgram:  # fmt: skip
     if mesh is not None:
         job = replace(job, task=MILL)
-    program = make(job, progress, mesh, faces, fixtures)
+    seen = Seen()
+    program = make(job, progress, mesh, faces, fixtures, seen)
     if not isinstance(program, PostedProgram):
         raise SettingsError(
             say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source
         )
+    seen.keep(program)
     return program
 
 

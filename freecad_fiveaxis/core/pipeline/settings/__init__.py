@@ -7,6 +7,7 @@ from .groups import (
     FacesSettings,
     GougeSettings,
     HeadSettings,
+    MachineSettings,
     OutputSettings,
     SetupSettings,
 )
@@ -26,7 +27,16 @@ from .option import (
     WORKSHOP,
     option,
 )
-from .tree import FRAMES, Settings, build_settings, flat_options, is_part, option_fields, with_current_names
+from .tree import (
+    FRAMES,
+    Settings,
+    build_settings,
+    check_together,
+    flat_options,
+    is_part,
+    option_fields,
+    with_current_names,
+)
 
 __all__ = [
     "AUDIT",
@@ -48,10 +58,12 @@ __all__ = [
     "FacesSettings",
     "GougeSettings",
     "HeadSettings",
+    "MachineSettings",
     "OutputSettings",
     "Settings",
     "SetupSettings",
     "build_settings",
+    "check_together",
     "flat_options",
     "is_part",
     "option",

@@ -398,7 +398,8 @@ class GougeSettings:
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free "
         "within max-tilt and lift where the cutter still enters; off: no check",
-        (MILL, AUDIT, SETUP, COMPARE), choices=GOUGE, by_task={MILL: "lift", SETUP: "lift", AUDIT: "report"},
+        (MILL, AUDIT, SETUP, COMPARE), choices=GOUGE,
+        by_task={MILL: "lift", SETUP: "lift", COMPARE: "lift", AUDIT: "report"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge",

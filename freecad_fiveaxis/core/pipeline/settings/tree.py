@@ -142,7 +142,7 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
         if "group" in top.metadata
     }
     settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
-    _check_together(settings)
+    check_together(settings)
     return settings
 
 
@@ -224,7 +224,8 @@ def _check_reading(settings: Settings) -> None:
             )
 
 
-def _check_together(settings: Settings) -> None:
+def check_together(settings: Settings) -> None:
+    """Refuse settings that exclude each other. Raises SettingsError."""
     for check in (
         _check_named,
         _check_spacing,

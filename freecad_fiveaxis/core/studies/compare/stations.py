@@ -16,7 +16,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -38,6 +40,7 @@ from freecad_fiveaxis.core.studies.setup_map import Posting, part_box
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .beside_fixtures import Beside, find_hits, guide_tip
+from .beside_part import CheckPart
 from .tool_centre import guide
 
 NO_RATES = (math.nan,) * 5
@@ -46,7 +49,9 @@ NO_RATES = (math.nan,) * 5
 @dataclass(frozen=True, eq=False)
 class Station:
     """``kinematics``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the
-    machine cannot do what is asked for at all, or empty. ``beside``: the fixtures, None: there are none."""
+    machine cannot do what is asked for at all, or empty. ``beside``: the fixtures, None: there are none.
+    ``setup``: that of the kinematics; ``check_part``: finds what a program enters of the part, None: that is
+    not looked at."""
 
     name: str
     machine: Machine
@@ -54,10 +59,14 @@ class Station:
     posting: Posting
     refused: str = ""
     beside: Beside | None = None
+    setup: Setup = Setup()
+    check_part: CheckPart | None = None
 
 
 Cure = Callable[[CLPath, Station, Progress], JointPath]
-"""From the CL path to the joints of one station."""
+"""From the CL path to the joints of one station. One that makes other joints where the controller guides
+the tip has a method ``solve_guided`` for these, of a station: None where they are the same; one that does not
+cut all of the surface has ``compute_left_out``, the share of it."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +75,9 @@ class Row:
     the largest of the feed blocks, of a ball its centre's; ``time`` s of the whole program; ``peak_rate``:
     the largest rate of each axis, in the order of ``letters``, in a feed block, mm/min and rad/min; ``over``
     mm beyond linear limits. ``problem``: why there are no figures (then NaN), or empty. ``fixtures``: what
-    hits a fixture or comes too near to one, None: there are none to look at.
+    hits a fixture or comes too near to one, None: there are none to look at. ``part``: what the program
+    enters of part and table, None: that was not looked at; ``left_out``: the share, 0 to 1, of the surface
+    asked for that the machine does not cut; ``length`` mm: how far the driven point goes in feed blocks.
     """
 
     machine: str
@@ -83,15 +94,19 @@ class Row:
     over: float = math.nan
     problem: str = ""
     fixtures: tuple[Finding, ...] | None = None
+    part: tuple[Finding, ...] | None = None
+    left_out: float = 0.0
+    length: float = math.nan
 
 
 def station(
     machine: Machine, setup: Setup, posting: Posting, name: str = "", refused: str = "",
-    beside: Beside | None = None,
+    beside: Beside | None = None, check_part: CheckPart | None = None,
 ) -> Station:  # fmt: skip
     """Return a machine with the part clamped in ``setup``. Raises MachineError for a chain without a
     solution."""
-    return Station(name or machine.name, machine, chain(machine, setup), posting, refused, beside)
+    kinematics = chain(machine, setup)
+    return Station(name or machine.name, machine, kinematics, posting, refused, beside, setup, check_part)
 
 
 def solve_path(path: CLPath, where: Station, progress: Progress = silent) -> JointPath:
@@ -179,20 +194,71 @@ def _rows(
     letters = where.kinematics.letters
     if where.refused:
         return [Row(where.name, name, one, letters, problem=where.refused) for one in guided]
-    try:
-        joints = cure(path, where, progress)
+    drives = _Drives(path, where, cure, progress)
+    return [_row(drives, name, one, progress) for one in guided]
+
+
+class _Drives:
+    """The programs of a pair: as they are, and where the controller guides the tip; each made once, when it
+    is asked for."""
+
+    def __init__(self, path: CLPath, where: Station, cure: Cure, progress: Progress) -> None:
+        self.where, self._path, self._cure, self._progress = where, path, cure, progress
+
+    @cached_property
+    def plain(self) -> Drive:
+        """That of the joints as they are. Raises FiveAxisError."""
+        return self._drive(self._cure(self._path, self.where, self._progress))
+
+    @cached_property
+    def guided(self) -> Drive:
+        """That of the joints where the tip is guided. Raises FiveAxisError."""
+        own = getattr(self._cure, "solve_guided", None)
+        joints = None if own is None else own(self.where, self._progress)
+        return self.plain if joints is None else self._drive(joints)
+
+    @cached_property
+    def left_out(self) -> float:
+        """The share of the surface that is not cut."""
+        own = getattr(self._cure, "compute_left_out", None)
+        return 0.0 if own is None else float(own(self.where, self._progress))
+
+    def _drive(self, joints: JointPath) -> Drive:
+        where = self.where
         program = build_program(joints, where.kinematics, where.posting.dialect, where.posting.inverse_time)
+        return Drive(joints, program, _measure_surface(where, program))
+
+
+class Drive(NamedTuple):
+    """Joints, their program, and its deviation."""
+
+    joints: JointPath
+    program: Program
+    deviation: Deviation
+
+
+def _row(drives: _Drives, name: str, guided: bool, progress: Progress) -> Row:
+    where = drives.where
+    make = _make_guided_row if guided else _make_unguided_row
+    try:
+        drive = drives.guided if guided else drives.plain
+        row = make(where, name, *drive, progress)
+        return replace(row, left_out=drives.left_out, length=_fed_length(drive.joints, drive.program))
     except Cancelled:
         raise
     except FiveAxisError as error:
-        return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
-    deviation = _measure_surface(where, program)
-    return [
-        (_make_guided_row if one else _make_unguided_row)(
-            where, name, joints, program, deviation, progress
-        )  # columns that depend on tool-centre control
-        for one in guided
-    ]
+        return Row(where.name, name, guided, where.kinematics.letters, problem=error.text)
+
+
+def _fed_length(joints: JointPath, program: Program) -> float:
+    """Return how far the driven point goes from end to end of the feed blocks, mm."""
+    tip = joints.path.tip[program.row]
+    chord = np.linalg.norm(np.diff(tip, axis=0), axis=1)
+    return float(chord[feed_blocks(program) - 1].sum())
+
+
+def _look_at_part(where: Station, program: Program, progress: Progress) -> tuple[Finding, ...] | None:
+    return None if where.check_part is None else where.check_part(program, progress)
 
 
 def _look_beside(where: Station, program: Program, progress: Progress) -> tuple[Finding, ...] | None:
@@ -220,6 +286,7 @@ def _make_unguided_row(
         _largest(deviation.axis[feeds]), len(program.words), len(feeds), float(program.seconds.sum()),
         tuple(rates.tolist()),
         _over(where.kinematics, joints.q), fixtures=_look_beside(where, program, progress),
+        part=_look_at_part(where, program, progress),
     )  # fmt: skip
 
 
@@ -231,11 +298,12 @@ def _make_guided_row(
     guided = guide(
         where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row]
     )
+    posted = guide_tip(where.kinematics, program, tip)
     return Row(
         where.name, name, True, where.kinematics.letters, 0.0, 0.0, _largest(deviation.axis[feeds]), len(row),
         len(feeds),
         float(guided.seconds.sum()), tuple(guided.rates(feeds).tolist()), _over(where.kinematics, joints.q),
-        fixtures=_look_beside(where, guide_tip(where.kinematics, program, tip), progress),
+        fixtures=_look_beside(where, posted, progress), part=_look_at_part(where, posted, progress),
     )  # fmt: skip
 
 

@@ -7,12 +7,14 @@ import math
 from collections.abc import Mapping, Sequence
 from html import escape
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Sentence, join_sentences, plural, say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
 
 from .beside_fixtures import find_worst_meeting, hits_fixture
+from .beside_part import enters_part, find_deepest
 from .stations import Row
 
 VERSION = 1
@@ -20,13 +22,13 @@ VERSION = 1
 
 HEAD = (
     "machine", "cure", "tip guided", "deviation, mm", "bound, mm", "axis, deg", "blocks", "time",
-    "X Y Z, mm/min", "1st rotary, deg/min", "2nd rotary, deg/min", "limits",
+    "X Y Z, mm/min", "1st rotary, deg/min", "2nd rotary, deg/min", "limits", "part",
 )  # fmt: skip
 
 SHORT_HEAD = (
     "machine", "cure", "TCP", "dev. mm", "bound mm", "axis deg", "blocks", "time", "XYZ mm/min",
     "1st deg/min", "2nd deg/min",
-    "limits",
+    "limits", "part",
 )  # fmt: skip
 """For the terminal. TCP: tool-centre control; XYZ, 1st, 2nd: peak rates of the linear and of the two rotary
 axes."""
@@ -35,10 +37,10 @@ axes."""
 def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
     """Return the table for the terminal, and why cells are empty."""
     lines = [
-        verdict(rows, tolerance),
+        headline(rows, tolerance),
         "",
         *text_table(_table(rows, SHORT_HEAD)),
-        *(f"{key}: {text}" for key, text in _problems(rows)),
+        *(f"{key}: {text}" for key, text in (*_problems(rows), *_shares(rows))),
     ]
     return "\n".join(lines) + "\n"
 
@@ -56,11 +58,14 @@ def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None =
         section("The table", table(_table(rows)) + f'<p class="note">{escape(_note(rows))}</p>'),
         section(
             "What could not be done",
-            "".join(f"<p><b>{escape(key)}</b>: {escape(text)}</p>" for key, text in _problems(rows)),
+            "".join(
+                f"<p><b>{escape(key)}</b>: {escape(text)}</p>"
+                for key, text in (*_problems(rows), *_shares(rows))
+            ),
         ),
     ]
     mood = "open" if tolerance is None else "good" if _good(rows, tolerance) else "bad"
-    return page("The same path, compared", title, verdict(rows, tolerance), mood, body)
+    return page("The same path, compared", title, headline(rows, tolerance), mood, body)
 
 
 NOTE = (
@@ -69,7 +74,8 @@ NOTE = (
     "rounded; of a guided tip only the end points of blocks are verified, the path between them is under "
     "RTCP. Axis: how far the tool leaves the plane of a block's two end axes. "
     "Rates are the peaks within feed blocks, at the programmed feed where no axis is too slow for it. Time "
-    "includes rapids."
+    "includes rapids. Part: how deep the tool goes into it, or below the table, on the real way of each "
+    "block; free: by no more than the tolerance."
 )
 FIXTURES_NOTE = (
     "Fixtures: how deep tool or spindle go into one on the real way of each block, or how near they come "
@@ -87,11 +93,66 @@ def _has_fixtures(rows: Sequence[Row]) -> bool:
 
 
 def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
-    """One plain sentence: what holds the tolerance soonest; without one, what deviates least. Another says in
-    how many ways a fixture is hit."""
-    hit = sum(hits_fixture(row.fixtures) for row in rows)
-    found = _name_best(rows, tolerance)
-    return join_sentences((found, _say_hit(hit, len(rows)))) if hit else found
+    """One plain sentence: what holds the tolerance soonest; without one, what deviates least. Others say in
+    how many ways the tool goes into the part, and hits a fixture."""
+    entered, hit = (
+        sum(enters_part(row.part) for row in rows), sum(hits_fixture(row.fixtures) for row in rows)
+    )  # fmt: skip
+    more = [_say_entered(entered, len(rows))] if entered else []
+    more += [_say_hit(hit, len(rows))] if hit else []
+    less = len([row for row in rows if not row.problem]) - len(_whole(rows))
+    more += [_say_less(less, len(rows))] if less else []
+    return join_sentences((_name_best(rows, tolerance), *more))
+
+
+def say_unchecked(rows: Sequence[Row]) -> Sentence | None:
+    """Say in how many ways nobody has looked whether the tool goes into the part; None where all were looked
+    at."""
+    open_ = sum(not row.problem and row.part is None for row in rows)
+    if not open_:
+        return None
+    return plural(
+        open_,
+        "In 1 of {all} ways it is not checked whether the tool goes into the part.",
+        "In {count} of {all} ways it is not checked whether the tool goes into the part.",
+        all=len(rows),
+    )
+
+
+def headline(rows: Sequence[Row], tolerance: float | None) -> Sentence:
+    """Return the verdict, and in how many ways nobody has looked whether the tool goes into the part."""
+    unchecked = say_unchecked(rows)
+    found = verdict(rows, tolerance)
+    return found if unchecked is None else join_sentences((found, unchecked))
+
+
+def _say_less(count: int, every: int) -> Sentence:
+    return plural(
+        count,
+        "In 1 of {all} ways more of the surface is left out than in others.",
+        "In {count} of {all} ways more of the surface is left out than in others.",
+        all=every,
+    )
+
+
+def _whole(rows: Sequence[Row]) -> list[Row]:
+    """Return the ways that leave out no more of the surface than the one that leaves out least."""
+    able = [row for row in rows if not row.problem]
+    least = min((row.left_out for row in able), default=0.0)
+    return [row for row in able if row.left_out <= least + SHARE_SHOWN]
+
+
+SHARE_SHOWN = 1e-3
+"""Of the surface; less is no difference between ways."""
+
+
+def _say_entered(count: int, every: int) -> Sentence:
+    return plural(
+        count,
+        "In 1 of {all} ways the tool goes into the part.",
+        "In {count} of {all} ways the tool goes into the part.",
+        all=every,
+    )
 
 
 def _say_hit(count: int, every: int) -> Sentence:
@@ -109,7 +170,7 @@ def _name_best(rows: Sequence[Row], tolerance: float | None) -> Sentence:
         return say("None of the machines can drive this path.")
     plain_ones = [row for row in able if not row.tool_centre] or able
     if tolerance is None:
-        best = min(plain_ones, key=lambda row: (hits_fixture(row.fixtures), row.deviation))
+        best = min(plain_ones, key=lambda row: (_hits(row), row.deviation))
         return say(
             "Least deviation: {way}, {deviation} in {time}.",
             way=_name(best),
@@ -153,12 +214,13 @@ def _say_guided(count: int) -> Sentence:
 def _good(rows: Sequence[Row], tolerance: float) -> list[Row]:
     return [
         row
-        for row in rows
-        if not row.problem
-        and row.bound <= tolerance
-        and not row.over > LIMIT_SHOWN
-        and not hits_fixture(row.fixtures)
+        for row in _whole(rows)
+        if row.bound <= tolerance and not row.over > LIMIT_SHOWN and not _hits(row)
     ]
+
+
+def _hits(row: Row) -> bool:
+    return hits_fixture(row.fixtures) or enters_part(row.part)
 
 
 LIMIT_SHOWN = 5e-4
@@ -193,7 +255,7 @@ def name_hit(row: Row) -> str:
 def _cells(row: Row) -> list[str]:
     named = [row.machine, row.cure, "on" if row.tool_centre else "off"]
     if row.problem:
-        return [*named, *["-"] * 8, "impossible"]
+        return [*named, *["-"] * 8, "impossible", "-"]
     return [
         *named,
         *(["ends only"] * 2 if row.tool_centre else [number(row.deviation, 5), number(row.bound, 5)]),
@@ -203,7 +265,23 @@ def _cells(row: Row) -> list[str]:
         number(max(row.peak_rate[:3]), 0),
         *(_rate(row, column) for column in (3, 4)),
         f"over by {row.over:.3f} mm" if row.over > LIMIT_SHOWN else "within",
+        name_entry(row),
     ]
+
+
+def name_entry(row: Row) -> str:
+    """Say in a cell how deep the tool goes into the part, or that nobody has looked."""
+    if row.part is None:
+        return "not checked"
+    deepest = find_deepest(row.part)
+    if deepest is None:
+        return "free"
+    if deepest.code == Code.BURIED:
+        return "wholly in it"
+    if deepest.code == Code.AVOIDED_FACES_NEAR:
+        return "near faces to avoid"
+    place = "in table" if deepest.code == Code.TABLE_COLLISION else "deep"
+    return f"{deepest.value or 0.0:.3f} mm {place}"
 
 
 def _rate(row: Row, column: int) -> str:
@@ -222,10 +300,24 @@ def _record(row: Row) -> dict[str, object]:
         "time_s": row.time,
         "peak_rate": {row.letters[k]: rates[k] for k in find_physical_columns(row.letters)},
         "over_limits": row.over,
-        "problem": row.problem,
+        "problem": row.problem, "part_checked": row.part is not None, "part": row.part or (),
+        "left_out": row.left_out, "length": row.length,
     } | ({} if row.fixtures is None else {"fixtures": row.fixtures})  # fmt: skip
 
 
 def _problems(rows: Sequence[Row]) -> list[tuple[str, str]]:
     """Each machine and cure that failed, once, with its reason."""
     return list(dict.fromkeys((f"{row.machine}, {row.cure}", row.problem) for row in rows if row.problem))
+
+
+def _shares(rows: Sequence[Row]) -> list[tuple[str, str]]:
+    """Each machine and cure that leaves out some of the surface, once, with how much."""
+    out = [row for row in rows if not row.problem and row.left_out > SHARE_SHOWN]
+    if len({round(row.left_out, 3) for row in rows if not row.problem}) < 2:
+        return []
+    return list(
+        dict.fromkeys(
+            (f"{row.machine}, {row.cure}", f"{100.0 * row.left_out:.1f} % of the surface is left out")
+            for row in out
+        )
+    )

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the programs of a comparison do to the part, the table below it and faces to avoid: how it is asked,
+and what its findings say."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.motion.program import Program
+
+CheckPart = Callable[[Program, Progress], tuple[Finding, ...]]
+"""What a station's program enters, as ``mill`` checks it."""
+
+
+def enters_part(findings: Sequence[Finding] | None) -> bool:
+    """Whether something enters part or table, or comes too near to faces to avoid."""
+    return any(one.severity is Severity.ERROR for one in findings or ())
+
+
+def find_deepest(findings: Sequence[Finding] | None) -> Finding | None:
+    """Return the deepest entry; one of the whole cutter is deeper than any."""
+    met = [one for one in findings or () if one.severity is Severity.ERROR]
+    return max(met, key=lambda one: (one.code == Code.BURIED, one.value or 0.0), default=None)
