@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.named_cutter import CENTRE
-from freecad_fiveaxis.core.orientation.axis_corrections import AxisCorrectionOptions, PartToCut
+from freecad_fiveaxis.core.orientation.axis_corrections import AxisCorrectionOptions
 from freecad_fiveaxis.core.orientation.strategies import FOLLOWING, AxisOptions
 from freecad_fiveaxis.core.passes import PassOptions, find_pass_strategy, with_room
 from freecad_fiveaxis.core.tool import Cutter, cutter_name
@@ -163,14 +163,8 @@ def axis_corrections(context: MillContext) -> AxisCorrectionOptions:
     return AxisCorrectionOptions(
         compute_driven_to_hub(settings), settings.cutter.cutter.ring, settings.feeds.feed,
         settings.proof.tolerance, settings.tool_axis.max_tilt, settings.cure.max_axis_change,
-        axis_options(settings), _part_to_cut(context),
+        settings.cutter.cutter.barrel,
     )  # fmt: skip
-
-
-def _part_to_cut(context: MillContext) -> PartToCut:
-    """Part, tool and machine."""
-    reacher = reacher_in(context)
-    return PartToCut(context.mesh, context.keep, reacher)
 
 
 def reacher_of(

@@ -193,9 +193,8 @@ def _choose_guide(settings: Settings, dialect: Dialect) -> Dialect:
 
 def _correct(correction: AxisCorrection, context: MillContext, assigned: AssignedAxes) -> AssignedAxes:
     options, progress = axis_corrections(context), context.progress
-    cut, axis = correction.rows(assigned.cut, assigned.corrected, options)
-    axis, _ = correction.axes(cut, axis, context.kinematics, options, progress)
-    return replace(assigned, cut=cut, corrected=axis)
+    axis, _ = correction.axes(assigned.cut, assigned.corrected, context.kinematics, options, progress)
+    return replace(assigned, corrected=axis)
 
 
 def check_against_part(
