@@ -511,7 +511,7 @@ def test_an_axis_without_direction_a_missing_file_and_a_word_are_refused(tmp_pat
     write_stl(from_triangles(PLATE), tmp_path / "part.stl")
     curve = ["--boundary", written(tmp_path / "b.csv", RECTANGLE)]
     refused(tmp_path, capsys, "boundary-axis 0,0,0 has no direction", *curve, "--boundary-axis", "0,0,0")
-    refused(tmp_path, capsys, "cannot be read", "--boundary", str(tmp_path / "none.csv"))
+    refused(tmp_path, capsys, "none.csv does not exist; name the", "--boundary", str(tmp_path / "none.csv"))
     refused(tmp_path, capsys, "", "--boundary", str(tmp_path))
     with pytest.raises(SettingsError, match="boundary-by 'tip' is not one of contact, centre"):
         build_settings(

@@ -261,7 +261,8 @@ def test_a_cl_file_is_no_part(tmp_path, capsys):
     path.write_text("GOTO/0,0,0\nFINI\n")
     report = tmp_path / "a.json"
     assert cli.main(["reach", str(path), "--machine", "trunnion_ac", "--report", str(report)]) == cli.UNUSABLE
-    assert "no part" in capsys.readouterr().err and not report.exists()
+    assert "a.apt is a CL file (APT), needed is an STL file" in capsys.readouterr().err
+    assert not report.exists()
 
 
 def test_the_ball_that_would_fit_is_that_of_the_closed_form():

@@ -38,6 +38,8 @@ REMEDIES = {
 """What takes a file of that kind."""
 OF_SOURCE = {MILL: STL, REACH: STL, POST: CL, RECOVER: CL, AUDIT: NC}
 OF_OPTION = {"faces": STL, "avoid": STL, "fixture": STL, "program": NC}
+FOLDERS = ("search",)
+"""Options that hold folders, at which their reader looks."""
 BEGINNING = 4096
 """Bytes that tell the kind of a file."""
 
@@ -85,6 +87,8 @@ def list_inputs(settings: Settings) -> Iterator[InputFile]:
             kind = STL if is_part(settings.source) else CL
         yield InputFile("", settings.source, kind)
     for name, path in list_paths_read(settings):
+        if name in FOLDERS:
+            continue
         against = STL if is_part(path) else CL
         yield InputFile(
             "" if name == "program" else name, path, against if name == "against" else OF_OPTION.get(name, "")
