@@ -4852,6 +4852,10 @@
         <translation>EXISTS einer Variablen ohne Namen</translation>
     </message>
     <message>
+        <source>Every way leaves out at least {share} % of the surface: no free axis of the machine is there.</source>
+        <translation>Jeder Weg lässt mindestens {share} % der Fläche aus: Dort ist keine Werkzeugachse der Maschine frei.</translation>
+    </message>
+    <message>
         <source>F exceeds the controller's largest</source>
         <translation>F übersteigt den größten Wert der Steuerung</translation>
     </message>
@@ -5097,7 +5101,7 @@
     </message>
     <message>
         <source>Inside corners are tighter than the cutter, but the map of what is left finds nowhere more in them than may stay: twice the scallop and the tolerance.</source>
-        <translation>Innenecken sind enger als der Fräser, doch die Restmaterialkarte findet in ihnen nirgends mehr, als stehen bleiben darf: das Doppelte der Rillenhöhe und die Toleranz.</translation>
+        <translation>Innenecken sind enger als der Fräser, doch die Restmaterialkarte findet in ihnen nirgends mehr, als stehen bleiben darf: das Doppelte der Kuppenhöhe und die Toleranz.</translation>
     </message>
     <message>
         <source>It cannot be clamped shorter.</source>
@@ -5262,6 +5266,10 @@
     <message>
         <source>Nothing here holds {tolerance} within the limits of its machine and stays out of the fixtures.</source>
         <translation>Nichts hält hier {tolerance} in den Grenzen seiner Maschine ein und bleibt aus den Spannmitteln.</translation>
+    </message>
+    <message>
+        <source>Nothing here holds {tolerance} within the limits of its machine, stays out of the part and cuts as much as the others.</source>
+        <translation>Nichts davon hält {tolerance} innerhalb der Grenzen seiner Maschine, bleibt aus dem Werkstück und fräst so viel wie die anderen.</translation>
     </message>
     <message>
         <source>Nothing here holds {tolerance} within the limits of its machine.</source>

@@ -39,7 +39,10 @@ def best_lines(rows: Sequence[Row]) -> list[Sentence]:
     own = _by_finish(rows)
     several = Counter(part for part, _ in own)
     return [
-        _best_line(say("{part} with {finish}", part=part, finish=finish) if several[part] > 1 else part, jobs)
+        _best_line(
+            say("{part} with {finish}", part=part, finish=finish) if finish and several[part] > 1 else part,
+            jobs,
+        )
         for (part, finish), jobs in own.items()
         if len(jobs) > 1
     ]

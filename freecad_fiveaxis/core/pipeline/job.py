@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.audit.program_end import end_findings
 from freecad_fiveaxis.core.audit.spindle import spindle_findings
 from freecad_fiveaxis.core.audit.tool_length import assume_length, length_findings
 from freecad_fiveaxis.core.audit.units import unit_findings
-from freecad_fiveaxis.core.base.errors import SettingsError, naming_file
+from freecad_fiveaxis.core.base.errors import ReachError, SettingsError, naming_file
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -163,9 +163,14 @@ def begin_mill(
     find_pass_strategy(settings.passes.passes)
     mesh, faces, avoided, reports = choose_facets(settings, given.mesh, given.faces, progress)
     settings = settle_rotary_axis(settings, kinematics, mesh)
-    context, left_out = mill_context(
-        settings, mesh, machine, kinematics, dialect, progress, faces, given.fixtures, avoided
-    )
+    try:
+        context, left_out = mill_context(
+            settings, mesh, machine, kinematics, dialect, progress, faces, given.fixtures, avoided
+        )
+    except ReachError as error:
+        for one in report_in_part(mesh, given.fixtures):  # which is why, and the remedy another
+            raise ReachError(one.text, error.value) from error
+        raise
     return context, reports + mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
 
 

@@ -22,7 +22,6 @@ from .collision_avoidance import (
     compute_commanded_motion,
     find_uncut,
     leaves_out,
-    settle_corners,
     tells_of_less,
 )
 from .context import MillContext
@@ -116,8 +115,6 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     wide = settings.cutter.cutter.has_level_bottom or steps_over_strips(settings)
     suspected = solved.cured or wide or context.unreached or leaves_out(found) or tells_of_less(found)
     uncut = find_uncut(context, solved.path) if suspected else ()
-    if suspected and settings.gouge.rest == "off":
-        found = settle_corners(found, uncut)
     program = post_path(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,

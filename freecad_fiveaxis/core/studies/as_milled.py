@@ -35,7 +35,7 @@ from freecad_fiveaxis.core.pipeline.collision_avoidance import (
     enters_table,
 )
 from freecad_fiveaxis.core.pipeline.context import MillContext
-from freecad_fiveaxis.core.pipeline.fewer_axes import refuse_what_needs_more_axes
+from freecad_fiveaxis.core.pipeline.fewer_axes import refuse_what_needs_more_axes, suit_tool_axis
 from freecad_fiveaxis.core.pipeline.job import begin_mill
 from freecad_fiveaxis.core.pipeline.milling import FROM_JOINTS, TO_AXES, TO_PATH, begin, run_stages
 from freecad_fiveaxis.core.pipeline.options import axis_corrections, resolve_setup
@@ -91,7 +91,8 @@ class AsMilled:
         return compute_unfinished_share(found, context.mesh, context.keep)
 
     def _on(self, settings: Settings, where: Station) -> Settings:
-        return replace(settings, machine=replace(settings.machine, machine=where.name))
+        own = replace(settings, machine=replace(settings.machine, machine=where.name))
+        return suit_tool_axis(own, where.machine)
 
     def _try(self, settings: Settings, where: Station, progress: Progress) -> JointPath:
         settings = self._on(settings, where)
@@ -280,6 +281,13 @@ class Seen:
 
 _ALL: WeakKeyDictionary[MilledProgram, list[_Kept]] = WeakKeyDictionary()
 _SHARED: WeakKeyDictionary[MilledProgram, _Store] = WeakKeyDictionary()
+
+
+def forget(draft: PostedProgram) -> None:
+    """Let go of what was kept for a draft."""
+    if isinstance(draft, MilledProgram):
+        _ALL.pop(draft, None)
+        _SHARED.pop(draft, None)
 
 
 def _find_shared(draft: MilledProgram) -> _Store:

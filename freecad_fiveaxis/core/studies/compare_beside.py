@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.tool.body import Body, lower_body
 
 from .compare import Beside, Row
 from .compare.beside_fixtures import find_worst_meeting, hits_fixture
-from .compare.beside_part import find_deepest
+from .compare.beside_part import find_deepest, rank_entry
 
 
 def read_part_beside(
@@ -58,7 +58,7 @@ def report_entries(rows: Sequence[Row]) -> Iterator[Finding]:
     able = [row for row in rows if not row.problem]
     found = [(row, deep) for row in able if (deep := find_deepest(row.part)) is not None]
     if found:
-        row, deep = max(found, key=lambda one: one[1].value or 0.0)
+        row, deep = max(found, key=lambda one: rank_entry(one[1]))
         yield _of_row(row, deep, len(found) == len(able))
 
 

@@ -66,7 +66,7 @@ from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
-from .as_milled import Seen, check_against_part
+from .as_milled import Seen, check_against_part, forget
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
 from .compare_beside import read_part_beside, report_entries, report_hits, stand_beside
 from .corrections import check_cures, cures
@@ -230,13 +230,18 @@ def try_machines(
     machines = [load_machine(name) for name in names]
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
     mesh = read_part_beside(settings.source, mesh, fixtures, progress)
-    suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
-    each_settings = [_job_settings(suited, name) for name in names]
+    each_settings = [
+        suit_tool_axis(_job_settings(settings, name), machine)
+        for name, machine in zip(names, machines, strict=True)
+    ]
     stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
     refused = [
         what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)
     ]
-    program = _draft_for_first(each_settings, refused, progress, mesh, faces, fixtures)
+    order = sorted(range(len(names)), key=lambda at: -machines[at].rotaries)  # settings of most suit the rest
+    program = _draft_for_first(
+        [each_settings[at] for at in order], [refused[at] for at in order], progress, mesh, faces, fixtures
+    )
     stations = [
         station(
             machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text,
@@ -246,6 +251,7 @@ def try_machines(
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
     ]  # fmt: skip
     rows = compare(program.path, stations, cures(program, wanted), progress=progress, executor=executor)
+    forget(program)
     return Comparison(
         settings, program, rows, (*_row_findings(rows), *report_entries(rows), *report_hits(rows))
     )
@@ -261,7 +267,7 @@ def _draft_for_first(
     for job, why in zip(each_settings, refused, strict=True):
         try:
             if why is None:
-                return _post_job(job, progress, mesh, faces, fixtures)
+                return _post_job(job, progress, mesh, faces, fixtures, Seen())
             problems.append(why)
         except ReachError as error:
             problems.append(error)
@@ -278,17 +284,17 @@ def _job_settings(settings: Settings, machine: str = "") -> Settings:
 
 def _post_job(
     job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None,
-    fixtures: tuple[Fixture, ...] | None = None,
+    fixtures: tuple[Fixture, ...] | None = None, seen: Seen | None = None,
 ) -> PostedProgram:  # fmt: skip
     if mesh is not None:
         job = replace(job, task=MILL)
-    seen = Seen()
     program = make(job, progress, mesh, faces, fixtures, seen)
     if not isinstance(program, PostedProgram):
         raise SettingsError(
             say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source
         )
-    seen.keep(program)
+    if seen is not None:
+        seen.keep(program)
     return program
 
 

@@ -102,7 +102,7 @@ class PassSettings:
         None,
         "length",
         "largest scallop left between passes; where these turn in corners or end at edges up to 3.5 "
-        "times as much may stay, and is reported [0.01 where no stepover is given]",
+        "times as much may stay [0.01 where no stepover is given]",
         least=SMALLEST,
         most=LONGEST,
     )

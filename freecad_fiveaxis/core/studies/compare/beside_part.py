@@ -21,6 +21,12 @@ def enters_part(findings: Sequence[Finding] | None) -> bool:
 
 
 def find_deepest(findings: Sequence[Finding] | None) -> Finding | None:
-    """Return the deepest entry; one of the whole cutter is deeper than any."""
+    """Return the deepest entry."""
     met = [one for one in findings or () if one.severity is Severity.ERROR]
-    return max(met, key=lambda one: (one.code == Code.BURIED, one.value or 0.0), default=None)
+    return max(met, key=rank_entry, default=None)
+
+
+def rank_entry(found: Finding) -> tuple[bool, bool, float]:
+    """Return what is larger of a deeper entry: one of the whole cutter is deeper than any, and to be too near
+    to faces to avoid, whose value is the distance left, is none."""
+    return found.code == Code.BURIED, found.code != Code.AVOIDED_FACES_NEAR, found.value or 0.0

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 
 from freecad_fiveaxis.core.base.codes import Code
-from freecad_fiveaxis.core.base.sentences import Choice, Length, Sentence, join_sentences, plural, say
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Number, Sentence, join_sentences, plural, say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
@@ -102,6 +102,8 @@ def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
     more += [_say_hit(hit, len(rows))] if hit else []
     less = len([row for row in rows if not row.problem]) - len(_whole(rows))
     more += [_say_less(less, len(rows))] if less else []
+    least = min((row.left_out for row in rows if not row.problem), default=0.0)
+    more += [_say_all_leave(least)] if least >= WORTH else []
     return join_sentences((_name_best(rows, tolerance), *more))
 
 
@@ -133,6 +135,17 @@ def _say_less(count: int, every: int) -> Sentence:
         "In {count} of {all} ways more of the surface is left out than in others.",
         all=every,
     )
+
+
+def _say_all_leave(share: float) -> Sentence:
+    return say(
+        "Every way leaves out at least {share} % of the surface: no free axis of the machine is there.",
+        share=Number(100.0 * share, ".2g"),
+    )
+
+
+WORTH = 0.01
+"""Of the surface, which every way leaves out: worth a sentence."""
 
 
 def _whole(rows: Sequence[Row]) -> list[Row]:
@@ -178,9 +191,16 @@ def _name_best(rows: Sequence[Row], tolerance: float | None) -> Sentence:
             time=duration(best.time),
         )
     good = _good(able, tolerance)
-    if not good and _has_fixtures(rows):
+    holding = [row for row in able if row.bound <= tolerance and not row.over > LIMIT_SHOWN]
+    if not good and any(hits_fixture(row.fixtures) for row in holding):
         return say(
             "Nothing here holds {tolerance} within the limits of its machine and stays out of the fixtures.",
+            tolerance=Length(tolerance),
+        )
+    if not good and holding:
+        return say(
+            "Nothing here holds {tolerance} within the limits of its machine, stays out of the part and cuts "
+            "as much as the others.",
             tolerance=Length(tolerance),
         )
     if not good:
@@ -313,8 +333,6 @@ def _problems(rows: Sequence[Row]) -> list[tuple[str, str]]:
 def _shares(rows: Sequence[Row]) -> list[tuple[str, str]]:
     """Each machine and cure that leaves out some of the surface, once, with how much."""
     out = [row for row in rows if not row.problem and row.left_out > SHARE_SHOWN]
-    if len({round(row.left_out, 3) for row in rows if not row.problem}) < 2:
-        return []
     return list(
         dict.fromkeys(
             (f"{row.machine}, {row.cure}", f"{100.0 * row.left_out:.1f} % of the surface is left out")
