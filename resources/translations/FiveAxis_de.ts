@@ -4900,6 +4900,10 @@
         <translation>Ab NC-Zeile {line} fahren Achsen heim, und {function} ist noch an: Die Steuerung kann das ablehnen, oder sie bewegt X Y Z neben den Rundachsen, um die Spitze zu halten. Z zurückziehen, dann vor dieser Zeile {off} angeben.</translation>
     </message>
     <message>
+        <source>From and to, travel, rapids and time count Z coming down from {plane} to the first block and rising to it from the last. Where the axes stand before is not known.</source>
+        <translation>Von und bis, Verfahrweg, Eilgänge und Zeit zählen mit, dass Z von {plane} zum ersten Satz herabfährt und vom letzten dorthin hinauf. Wo die Achsen davor stehen, ist nicht bekannt.</translation>
+    </message>
+    <message>
         <source>G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file.</source>
         <translation>G12.1 P0 gilt als Kinematik der Spitze (M428), G12.1 P1 als die der Achsen (M429), wie LinuxCNCs trt-Module und 5axiskins zählen. Zählt das Modul der Maschine anders, ist es ein anderer Weg: in ihrer HAL-Datei nachsehen.</translation>
     </message>
@@ -5676,6 +5680,10 @@
         <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
     </message>
     <message>
+        <source>The program retracts to the machine position of safe_start, where Z would be {height}, beyond its limit {limit}. Give safe_start of the machine file another Z, or correct the limits of Z.</source>
+        <translation>Das Programm fährt zur Maschinenposition von safe_start frei, wo Z auf {height} stünde, jenseits seiner Grenze {limit}. Geben Sie safe_start in der Maschinendatei ein anderes Z, oder berichtigen Sie die Grenzen von Z.</translation>
+    </message>
+    <message>
         <source>The program says inches, and by that {letter} goes over {goes}, where the machine has {has}: its numbers seem to be mm ({mm}). Set right what the program says of its unit.</source>
         <translation>Das Programm nennt Zoll, und danach geht {letter} über {goes}, wo die Maschine {has} hat: Seine Zahlen scheinen mm zu sein ({mm}). Richtigstellen, was das Programm zu seiner Einheit sagt.</translation>
     </message>
@@ -5990,6 +5998,10 @@
     <message>
         <source>Where holder, fixture or machine are in the way, no tool that sticks out up to 80 mm farther helps.</source>
         <translation>Wo Halter, Spannmittel oder Maschine im Weg sind, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
+    </message>
+    <message>
+        <source>Where the axes stand before the first known position is not known, nor where a retract to a machine position or a reference point begins: neither is counted.</source>
+        <translation>Wo die Achsen vor der ersten bekannten Position stehen, ist nicht bekannt, auch nicht, wo ein Freifahren zu einer Maschinenposition oder einem Referenzpunkt beginnt: beides wird nicht mitgezählt.</translation>
     </message>
     <message>
         <source>Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.</source>

@@ -89,6 +89,7 @@ from .programs import MilledProgram, MillSource, PostedProgram, ProgramDraft, Re
 from .rotary_axis import settle_rotary_axis
 from .safe_start import add_safe_start
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
+from .start_plane import find_written_plane
 
 
 def run(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None) -> Result:
@@ -439,5 +440,8 @@ def figures(result: Result) -> Figures:
         table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft,
             MilledProgram) else None,
         fixtures=tuple(one.name for one in draft.fixtures),
-        above=draft.plane.above if isinstance(draft, PostedProgram) else None, assumed=draft.assumed,
+        above=draft.plane.above if isinstance(draft, PostedProgram) else None,
+        plane=find_written_plane(draft.machine, draft.dialect, draft.plane)
+        if isinstance(draft, PostedProgram) else None,
+        assumed=draft.assumed,
     )  # fmt: skip

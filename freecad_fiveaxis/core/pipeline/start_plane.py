@@ -8,12 +8,18 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
+from freecad_fiveaxis.core.base.number_text import round_as_printed
+from freecad_fiveaxis.core.base.ranges import ROUNDING
 from freecad_fiveaxis.core.base.sentences import Length, Sentence, join_sentences, say
+from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.gouge.above_bodies import AbovePlane, Clearing, find_clearings
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, zero_words
-from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_MACHINE
+from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_MACHINE, Machine
+from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program, plane_above, within_travel
 from freecad_fiveaxis.core.motion.program.retract import WHOLE
 from freecad_fiveaxis.core.nc.start import by_reference
@@ -41,7 +47,13 @@ def find_start_plane(context: JobContext, program: Program) -> StartPlane:
     needs, sign = _find_needs(context), math.copysign(1.0, float(kinematics.direction[2, 2]))
     if start.z is not None:
         z = start.z + float(zero_words(context.machine, setup, kinematics)[2])
-        return _judge(needs, sign, z, say("Give safe_start of the machine file a higher Z."), ())
+        return _judge(
+            needs,
+            sign,
+            z,
+            say("Give safe_start of the machine file a higher Z."),
+            _beyond_limit(kinematics, z),
+        )
     part, found = within_travel(kinematics, _plane_above_part(context, program))
     if context.dialect.guide is not None and by_reference(context.dialect, start):
         return StartPlane(None, found)
@@ -53,6 +65,28 @@ def find_start_plane(context: JobContext, program: Program) -> StartPlane:
         "use a shorter tool, or narrow the rotary limits in the machine file to what is really used."
     )
     return _judge(needs, sign, sign * min(z, limit) if z > sign * part else part, remedy, found)
+
+
+def find_written_plane(machine: Machine, dialect: Dialect, plane: StartPlane) -> float | None:
+    """Return the word of Z, mm, that the NC file says of the plane, None where it retracts otherwise."""
+    if machine.safe_start.retract != BY_CLEARANCE or plane.z is None:
+        return None
+    return float(round_as_printed(np.array([plane.z]), dialect.linear_decimals)[0])
+
+
+def _beyond_limit(kinematics: Chain, z: float) -> tuple[Finding, ...]:
+    """Warn of a machine position of the machine file that Z, as its limits have it, does not reach."""
+    low, high = float(kinematics.low[2]), float(kinematics.high[2])
+    if low - ROUNDING <= z <= high + ROUNDING:
+        return ()
+    limit = high if z > high else low
+    text = say(
+        "The program retracts to the machine position of safe_start, where Z would be {height}, beyond its "
+        "limit {limit}. Give safe_start of the machine file another Z, or correct the limits of Z.",
+        height=Length(z, bare=True),
+        limit=Length(limit, bare=True),
+    )
+    return (report_finding(Code.SAFE_START_BEYOND_LIMIT, text, z, limit),)
 
 
 def _plane_above_part(context: JobContext, program: Program) -> float:

@@ -15,6 +15,8 @@ proven        the proven bound of every feed block is within the tolerance, and 
 block         a row of the Program, counted from 0; ``line`` a line of the NC file, counted from 1.
 pass          a run of CUT and FILL blocks between links and rapids. ``cut_length`` is theirs, ``link_length``
               that of other feed blocks, ``rapid_length`` that of the rapids: of the tip over the work, mm.
+ends          the first and last moves of the NC file that are no blocks (:mod:`.ends`): axes, rapids and time
+              count them as far as they are known.
 peak rate     the largest mean rate of an axis over a feed block; travels and word ranges are those of all
               blocks.
 """
@@ -49,6 +51,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 from .audited import audit_rows, summarize_audit, worst_of
 from .block_table import letter_order
 from .contacts import Contacts
+from .ends import measure_ends, time_ends
 from .near_part import near_part
 from .part_facts import part_numbers
 from .turns_at_pole import find_turns_at_pole
@@ -76,7 +79,9 @@ class Figures:
     :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
     against; ``above``: the plane on which the program begins and ends, None where it is not proven to be
-    above the machine's bodies; ``assumed``: what the NC text does not say and is taken for granted.
+    above the machine's bodies; ``plane``: the word of Z, mm, of the plane from which the NC file comes to its
+    first block and to which it retracts, None where it says no such word; ``assumed``: what the
+    NC text does not say and is taken for granted.
     """
 
     title: str
@@ -104,6 +109,7 @@ class Figures:
     table: float | None = None
     fixtures: tuple[str, ...] = ()
     above: AbovePlane | None = None
+    plane: float | None = None
     assumed: tuple[Sentence, ...] = ()
 
     @property
@@ -237,7 +243,8 @@ def summary(figures: Figures) -> dict[str, Any]:
             "blocks_at_pole": int(figures.at_pole.sum()),
             "blocks": len(program.words),
             "feed_blocks": len(feeds),
-            "time_s": float(program.seconds.sum()),
+            "time_s": float(program.seconds.sum() + _time_ends(figures).sum()),
+            "start_plane": figures.plane if len(program.words) else None,
             "findings": {
                 kind.name.lower(): sum(f.severity == kind for f in figures.findings)
                 for kind in reversed(Severity)
@@ -317,14 +324,31 @@ def _sum_travel(figures: Figures) -> dict[str, object]:
     rapid = program.motion == Motion.RAPID
     kinds = {"cut": cutting, "link": ~cutting & ~rapid, "rapid": rapid}
     steps = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1) * ~find_unknown_ways(program)
-    moved = np.abs(travel(program)).sum(axis=0)
+    moved, ways = np.abs(travel(program)).sum(axis=0), measure_ends(program, figures.plane)
+    moved[2] += ways.sum()
+    lengths = {kind: float(steps[rows[1:]].sum()) for kind, rows in kinds.items()}
+    lengths["rapid"] += float(ways.sum())
     return {
         "passes": int((cutting[1:] & ~cutting[:-1]).sum()),
-        **{f"{kind}_length": float(steps[rows[1:]].sum()) for kind, rows in kinds.items()},
-        "time_shares": time_shares(program.seconds, kinds),
+        **{f"{kind}_length": length for kind, length in lengths.items()},
+        "time_shares": _share_time(figures, kinds),
         "rotary_travel_deg": {program.letters[i]: float(moved[i]) for i in order[3:]},
         "axes": _axes(figures, order, moved),
     }
+
+
+def _time_ends(figures: Figures) -> Floats:
+    return time_ends(figures.kinematics, measure_ends(figures.program, figures.plane))
+
+
+def _share_time(figures: Figures, kinds: Mapping[str, Bools]) -> dict[str, float]:
+    """Give the share of the time of each kind, the program's ends being rapids."""
+    ends = _time_ends(figures)
+    seconds = np.concatenate([figures.program.seconds, ends])
+    return time_shares(
+        seconds,
+        {kind: np.concatenate([rows, np.full(len(ends), kind == "rapid")]) for kind, rows in kinds.items()},
+    )
 
 
 def time_shares(seconds: Floats, kinds: Mapping[str, Bools]) -> dict[str, float]:
@@ -340,9 +364,13 @@ def time_shares(seconds: Floats, kinds: Mapping[str, Bools]) -> dict[str, float]
 def _axes(figures: Figures, order: list[int], moved: Floats) -> dict[str, dict[str, object]]:
     program, kinematics = figures.program, figures.kinematics
     inner = np.array([1.0, 1.0, 1.0, math.degrees(1.0), math.degrees(1.0)])
+    words = program.words
+    if figures.plane is not None and len(words):
+        words = np.concatenate([words, words[:1]])
+        words[-1, 2] = figures.plane
     columns = {
-        "least": np.array([word.min(initial=math.inf) for word in program.words.T]),
-        "largest": np.array([word.max(initial=-math.inf) for word in program.words.T]),
+        "least": np.array([word.min(initial=math.inf) for word in words.T]),
+        "largest": np.array([word.max(initial=-math.inf) for word in words.T]),
         "low_limit": kinematics.low * inner,
         "high_limit": kinematics.high * inner,
         "travel": moved,

@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 
+from .ends import state_ends
 from .figures import Figures, summary
 from .html_elements import STYLE, cards, pairs, pictures, section, value_text
 from .html_tables import audit_sections, axes_table, entries, worst_blocks
@@ -86,7 +87,7 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
         *pictures(plots(figures, progress), bool(numbers["feed_blocks"])),
         section("Worst blocks", worst_blocks(figures)),
         *audit_sections(figures),
-        section("Axes", axes_table(numbers["axes"])),
+        section("Axes", axes_table(numbers["axes"]) + f"<p>{escape(state_ends(numbers))}</p>"),
         section("Findings", _findings(figures.findings)),
         section("Inputs", pairs((name, value_text(value)) for name, value in figures.inputs.items())),
         section("The words used here", _glossary()),

@@ -13,6 +13,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.findings import Finding
 
 from .audited import audit_facts
+from .ends import state_ends
 from .figures import Figures, summary, table_of_deviations
 from .part_facts import part_facts, part_verdict
 from .scope import scope
@@ -38,7 +39,7 @@ def as_text(figures: Figures) -> str:
         _scope_lines(figures, numbers),
         _worst_lines(figures),
         _facts(numbers),
-        _axis_lines(numbers["axes"]),
+        [*_axis_lines(numbers["axes"]), *_wrap(state_ends(numbers), "  ")],
         _finding_lines(figures.findings),
     ]
     return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
