@@ -38,6 +38,30 @@ def test_the_counts_are_those_counted_by_hand():
     assert numbers["findings"] == {"error": 3, "warning": 2, "note": 0}
 
 
+def test_each_largest_number_has_its_line():
+    """Blocks stand in the lines 3 to 9; the ball's centre deviates most in another block than the tip."""
+    figures = by_hand()
+    centre = dataclasses.replace(figures.deviation, segment=np.array([0.0, 0.04, 0.0, 0.0, 0.0, 0.0, 0.0]))
+    axis = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.002])
+    tip = dataclasses.replace(figures.deviation, axis=axis)
+    figures = dataclasses.replace(figures, surface=centre, deviation=tip)
+    numbers = summary(figures)
+    assert numbers["worst_line"] == 4 and numbers["worst_lines"] == {
+        "max_surface_deviation": 4,
+        "max_surface_bound": 7,
+        "max_line_deviation": 7,
+        "max_segment_deviation": 7,
+        "max_bound": 7,
+        "max_axis_deviation_deg": 9,
+        "max_rapid_deviation": 6,
+    }
+    reported = dict(facts(numbers))
+    assert reported["largest deviation of the ball's centre"] == "0.040000 mm (NC line 4)"
+    assert reported["largest deviation of the tip"] == "0.030000 mm (NC line 7)"
+    lines = summary(dataclasses.replace(figures, surface=None))["worst_lines"]
+    assert lines["max_surface_deviation"] is None and lines["max_segment_deviation"] == 7
+
+
 def test_a_rapid_is_not_judged_but_reported():
     assert summary(by_hand())["max_rapid_deviation"] == 0.5
     numbers = summary(dataclasses.replace(by_hand(), tolerance=0.04))

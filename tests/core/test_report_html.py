@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from report_examples import TRUNNION, TRUNNION_BC, by_hand, dome, empty, figures_of, table2
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.pipeline.settings import build_settings, flat_options, name_units
 from freecad_fiveaxis.core.report import as_html
 from freecad_fiveaxis.core.report.plot_style import spans, thin
 from freecad_fiveaxis.core.report.plots import plots
@@ -64,6 +65,27 @@ def test_the_page_is_well_formed_and_has_every_section(dome_page):
     headings = ["Figures", "Worst blocks", "Axes", "Findings", "Inputs", "The words used here"]
     assert all(title in page.text for title in headings)
     assert page.tags.count("img") == 5 and page.tags.count("h1") == 1 and "script" not in page.tags
+
+
+def test_inputs_have_their_units_and_the_words_on_rapids_are_true(without_matplotlib):
+    chosen = build_settings(
+        "mill", "a.stl", {"machine": "trunnion_ac", "cutter": "ball:10", "lead": 5.0, "axis": "0,0,1"}
+    )
+    figures = dome(passes=2, points=3, inputs=flat_options(chosen), units=name_units(chosen))
+    shown = dict(re.findall(r'<th scope="row">([^<]*)</th><td>([^<]*)</td>', as_html(figures)))
+    wanted = {
+        "feed": "1000 mm/min",
+        "clearance": "5 mm",
+        "lead": "5 deg",
+        "tolerance": "0.01 mm",
+        "cutter": "ball:10.0:50.0 (mm)",
+        "from": "border",
+        "origin": "-",
+        "axis": "0, 0, 1",
+    }
+    assert {name: shown[name] for name in wanted} == wanted
+    assert "not judged here" not in as_html(figures)
+    assert "held against nothing" in as_html(figures)
 
 
 def test_an_unclosed_tag_would_be_noticed(dome_page):

@@ -88,7 +88,7 @@ from .part_size import unit_suspected
 from .programs import MilledProgram, MillSource, PostedProgram, ProgramDraft, Result
 from .rotary_axis import settle_rotary_axis
 from .safe_start import add_safe_start
-from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
+from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part, name_units
 from .start_plane import find_written_plane
 
 
@@ -423,7 +423,7 @@ def figures(result: Result) -> Figures:
         kinematics=draft.kinematics,
         program=draft.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=draft.settings.proof.tolerance, findings=result.findings,
-        inputs=flat_options(draft.settings),
+        inputs=flat_options(draft.settings), units=name_units(draft.settings),
         surface=result.surface, programmed_feed=find_programmed_feed(draft),
         audit=result.audit, gouge=result.gouge, rest=result.rest,
         allowed=compute_allowed_rest(draft.settings, draft.mesh, draft.keep)

@@ -28,6 +28,8 @@ UNITS = {
     "angle": "deg",
     "feed": "mm/min",
 }
+SHOWN_UNITS = UNITS | {"speed": "1/min", "cutter": "(mm)", "stack": "(mm)"}
+"""The units of options as they are shown; in brackets those of sizes within a text."""
 BOUNDS = {
     "above": Template("above {bound}"),
     "least": Template("at least {bound}"),

@@ -80,8 +80,8 @@ class Figures:
     tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
     against; ``above``: the plane on which the program begins and ends, None where it is not proven to be
     above the machine's bodies; ``plane``: the word of Z, mm, of the plane from which the NC file comes to its
-    first block and to which it retracts, None where it says no such word; ``assumed``: what the
-    NC text does not say and is taken for granted.
+    first block and to which it retracts, None where it says no such word; ``units``: of
+    the ``inputs`` that have one; ``assumed``: what the NC text does not say and is taken for granted.
     """
 
     title: str
@@ -110,6 +110,7 @@ class Figures:
     fixtures: tuple[str, ...] = ()
     above: AbovePlane | None = None
     plane: float | None = None
+    units: Mapping[str, str] = field(default_factory=dict)
     assumed: tuple[Sentence, ...] = ()
 
     @property
@@ -239,6 +240,7 @@ def summary(figures: Figures) -> dict[str, Any]:
             "max_rapid_deviation": _largest(rapid),
             "worst_line": int(program.line[worst[0]]) if len(worst) else None,
             "worst_block": int(worst[0]) if len(worst) else None,
+            "worst_lines": _name_worst_lines(figures),
             "singular_blocks": int(figures.singularity.singular[feeds].sum()),
             "blocks_at_pole": int(figures.at_pole.sum()),
             "blocks": len(program.words),
@@ -256,6 +258,28 @@ def summary(figures: Figures) -> dict[str, Any]:
         | ({} if figures.mesh is None else {"unfinished_share": figures.unfinished})
         | ({} if figures.unfinished_parts is None else {"unfinished_parts": figures.unfinished_parts.parts()})
     )
+
+
+def _name_worst_lines(figures: Figures) -> dict[str, int | None]:
+    """Name the NC line of each largest number of the summary; None where there is no such number, or none but
+    0."""
+    program, deviation, judged = figures.program, figures.deviation, figures.judged
+    ways = np.concatenate([[False], ~find_unknown_ways(program)]) if len(program.words) else np.zeros(0, bool)
+    rapids = np.flatnonzero((program.motion == Motion.RAPID) & ways)
+    columns = {
+        "max_surface_deviation": (judged.segment, figures.feeds if figures.surface else figures.feeds[:0]),
+        "max_surface_bound": (judged.bound, figures.feeds if figures.surface else figures.feeds[:0]),
+        "max_line_deviation": (deviation.line, figures.feeds),
+        "max_segment_deviation": (deviation.segment, figures.feeds),
+        "max_bound": (deviation.bound, figures.feeds),
+        "max_axis_deviation_deg": (deviation.axis, figures.feeds),
+        "max_rapid_deviation": (deviation.segment, rapids),
+    }
+    first = {name: worst_first(rows, values)[:1] for name, (values, rows) in columns.items()}
+    return {
+        name: int(program.line[row[0]]) if len(row) and columns[name][0][row[0]] != 0.0 else None
+        for name, row in first.items()
+    }
 
 
 def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, Any]]:

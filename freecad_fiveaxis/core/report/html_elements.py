@@ -33,12 +33,17 @@ def pairs(rows: Iterable[tuple[str, str]]) -> str:
     return f'<div class="scroll"><table class="pairs"><tbody>{cells}</tbody></table></div>' if cells else ""
 
 
-def value_text(value: object) -> str:
-    """Return an input as people read it: lists with commas, nothing as a dash."""
+def value_text(value: object, unit: str = "") -> str:
+    """Return an input as people read it: lists with commas, nothing as a dash; numbers with their ``unit``, a
+    text of sizes (``ball:10``) with it in brackets, a unit that is written so."""
     value = plain(value)
     if isinstance(value, list):
-        return ", ".join(value_text(one) for one in value) or "-"
-    return "-" if value is None else f"{value:g}" if isinstance(value, float) else str(value)
+        text = ", ".join(value_text(one) for one in value)
+    else:
+        text = "-" if value is None else f"{value:g}" if isinstance(value, float) else str(value)
+    many = value if isinstance(value, list) else [value]
+    numbers = all(isinstance(one, int | float) and not isinstance(one, bool) for one in many)
+    return f"{text} {unit}" if unit and text not in ("", "-") and (numbers or unit[0] == "(") else text or "-"
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]], caption: str = "") -> str:

@@ -6,7 +6,7 @@ Every text that comes from outside (titles, findings, inputs) is escaped. The sa
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from html import escape
 from typing import Any
 
@@ -50,8 +50,11 @@ GLOSSARY = {
         "so it can be much smaller; it stands here for comparison with the literature (So et al. 2008)."
     ),
     "Axis deviation": "How far the tool tilts out of the plane of its two end positions, in degrees.",
-    "Feed block, rapid": "A feed block may touch the part. A rapid goes through the air and is not judged "
-    "here.",
+    "Feed block, rapid": (
+        "A feed block may touch the part, and its deviation is held against the tolerance. A rapid goes "
+        "through the air: its largest deviation is told among the figures and held against nothing. Whether "
+        "the tool stays out of the part on rapids too stands under what the verdict rests on."
+    ),
     "cut, fill, link": "What a feed block does: it cuts along a pass, closes the gap between two pieces of "
     "one at an edge, or leads from one pass to the next.",
     "Near the pole": (
@@ -89,7 +92,7 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
         *audit_sections(figures),
         section("Axes", axes_table(numbers["axes"]) + f"<p>{escape(state_ends(numbers))}</p>"),
         section("Findings", _findings(figures.findings)),
-        section("Inputs", pairs((name, value_text(value)) for name, value in figures.inputs.items())),
+        section("Inputs", pairs(_inputs(figures))),
         section("The words used here", _glossary()),
     ]
     head = (
@@ -105,6 +108,11 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
 
 MOOD = {Light.RED: "bad", Light.AMBER: "open", Light.GREEN: "good"}
 """The look of the page for each light."""
+
+
+def _inputs(figures: Figures) -> Iterator[tuple[str, str]]:
+    for name, value in figures.inputs.items():
+        yield name, value_text(value, figures.units.get(name, ""))
 
 
 def _grounds(statements: Iterable[tuple[str, str]]) -> str:

@@ -20,7 +20,8 @@ from .verdict import verdict
 
 VERSION = 1
 """Of the JSON report, which scripts rely on. ``proven``, ``over_tolerance``, ``unproven``, ``worst_line`` and
-``worst_block`` go by ``max_surface_deviation`` and its bound where these are known."""
+``worst_block`` go by ``max_surface_deviation`` and its bound where these are known; ``worst_lines`` names the
+NC line of each ``max_`` number by that number's key, null where there is none."""
 
 
 def as_json(figures: Figures) -> str:

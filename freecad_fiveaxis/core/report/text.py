@@ -174,7 +174,10 @@ def _deviations(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Return what is judged (:func:`_state_judged`), and the others."""
     others = [
         ("blocks over tolerance", f"{numbers['over_tolerance']} of {numbers['feed_blocks']}"),
-        ("largest deviation from the infinite line", f"{numbers['max_line_deviation']:.6f} mm"),
+        (
+            "largest deviation from the infinite line",
+            f"{numbers['max_line_deviation']:.6f} mm" + _name_line(numbers, "max_line_deviation"),
+        ),
         ("largest deviation of the tool axis", f"{numbers['max_axis_deviation_deg']:.4f} deg"),
     ]
     return _state_judged(numbers) + others
@@ -190,8 +193,17 @@ def _state_judged(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     return [
         ("largest deviation of the ball's centre", deviation + worst),
         ("its proven upper bound", bound),
-        ("largest deviation of the tip", f"{numbers['max_segment_deviation']:.6f} mm"),
+        (
+            "largest deviation of the tip",
+            f"{numbers['max_segment_deviation']:.6f} mm" + _name_line(numbers, "max_segment_deviation"),
+        ),
     ]
+
+
+def _name_line(numbers: Mapping[str, Any], name: str) -> str:
+    """As " (NC line 7)": where the number of that name is; nothing where it is 0."""
+    line = numbers["worst_lines"][name]
+    return "" if line is None else f" (NC line {line})"
 
 
 def _shares(shares: Mapping[str, float]) -> str:

@@ -34,6 +34,7 @@ from .tree import (
     check_together,
     flat_options,
     is_part,
+    name_units,
     option_fields,
     with_current_names,
 )
@@ -66,6 +67,7 @@ __all__ = [
     "check_together",
     "flat_options",
     "is_part",
+    "name_units",
     "option",
     "option_fields",
     "with_current_names",

@@ -19,7 +19,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Option, Task, say
-from freecad_fiveaxis.core.pipeline.option_values import read_option, read_text, write_option
+from freecad_fiveaxis.core.pipeline.option_values import SHOWN_UNITS, read_option, read_text, write_option
 
 from .groups import (
     AuditSettings,
@@ -449,6 +449,12 @@ def flat_options(settings: Settings) -> dict[str, Any]:
         )
         values[flat_name(leaf.name)] = write_option(leaf, getattr(holder, leaf.name))
     return {"task": settings.task, "source": settings.source, **values}
+
+
+def name_units(settings: Settings) -> dict[str, str]:
+    """Return the units of :func:`flat_options`; none of an option that has none."""
+    kinds = {flat_name(leaf.name): leaf.metadata["kind"] for _, leaf in option_fields(settings.task)}
+    return {name: SHOWN_UNITS[kind] for name, kind in kinds.items() if kind in SHOWN_UNITS}
 
 
 def is_part(against: str) -> bool:
