@@ -4900,8 +4900,8 @@
         <translation>Ab NC-Zeile {line} fahren Achsen heim, und {function} ist noch an: Die Steuerung kann das ablehnen, oder sie bewegt X Y Z neben den Rundachsen, um die Spitze zu halten. Z zurückziehen, dann vor dieser Zeile {off} angeben.</translation>
     </message>
     <message>
-        <source>From and to, travel, rapids and time count Z coming down from {plane} to the first block and rising to it from the last. Where the axes stand before is not known.</source>
-        <translation>Von und bis, Verfahrweg, Eilgänge und Zeit zählen mit, dass Z von {plane} zum ersten Satz herabfährt und vom letzten dorthin hinauf. Wo die Achsen davor stehen, ist nicht bekannt.</translation>
+        <source>From and to, travel and the length of rapids count Z coming down from {plane} to the first block and rising to it from the last. Where the axes stand before is not known.</source>
+        <translation>Von und bis, Verfahrweg und Länge der Eilgänge zählen mit, dass Z von {plane} zum ersten Satz herabfährt und vom letzten dorthin hinauf. Wo die Achsen davor stehen, ist nicht bekannt.</translation>
     </message>
     <message>
         <source>G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file.</source>

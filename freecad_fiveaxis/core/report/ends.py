@@ -18,7 +18,6 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, Sentence, say
-from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
 
 
@@ -30,17 +29,12 @@ def measure_ends(program: Program, plane: float | None) -> Floats:
     return np.abs(program.words[[0, -1], 2] - plane)
 
 
-def time_ends(kinematics: Chain, ways: Floats) -> Floats:
-    """Return the seconds (2,) that Z takes for these ways as rapids."""
-    return np.asarray(60.0 * ways / kinematics.rate[2])
-
-
 def state_ends(numbers: Mapping[str, Any]) -> Sentence:
     """Say which of the first and last moves the axes' figures count; ``numbers``: the summary."""
     plane = numbers["start_plane"]
     if isinstance(plane, float):
         return say(
-            "From and to, travel, rapids and time count Z coming down from {plane} to the first block and "
+            "From and to, travel and the length of rapids count Z coming down from {plane} to the first block and "
             "rising to it from the last. Where the axes stand before is not known.",
             plane=Length(plane),
         )

@@ -15,8 +15,8 @@ proven        the proven bound of every feed block is within the tolerance, and 
 block         a row of the Program, counted from 0; ``line`` a line of the NC file, counted from 1.
 pass          a run of CUT and FILL blocks between links and rapids. ``cut_length`` is theirs, ``link_length``
               that of other feed blocks, ``rapid_length`` that of the rapids: of the tip over the work, mm.
-ends          the first and last moves of the NC file that are no blocks (:mod:`.ends`): axes, rapids and time
-              count them as far as they are known.
+ends          the first and last moves of the NC file that are no blocks (:mod:`.ends`): axes and length of rapids
+              count them as far as they are known; the time is that of the blocks.
 peak rate     the largest mean rate of an axis over a feed block; travels and word ranges are those of all
               blocks.
 """
@@ -51,7 +51,7 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 from .audited import audit_rows, summarize_audit, worst_of
 from .block_table import letter_order
 from .contacts import Contacts
-from .ends import measure_ends, time_ends
+from .ends import measure_ends
 from .near_part import near_part
 from .part_facts import part_numbers
 from .turns_at_pole import find_turns_at_pole
@@ -245,7 +245,7 @@ def summary(figures: Figures) -> dict[str, Any]:
             "blocks_at_pole": int(figures.at_pole.sum()),
             "blocks": len(program.words),
             "feed_blocks": len(feeds),
-            "time_s": float(program.seconds.sum() + _time_ends(figures).sum()),
+            "time_s": float(program.seconds.sum()),
             "start_plane": figures.plane if len(program.words) else None,
             "findings": {
                 kind.name.lower(): sum(f.severity == kind for f in figures.findings)
@@ -355,24 +355,10 @@ def _sum_travel(figures: Figures) -> dict[str, object]:
     return {
         "passes": int((cutting[1:] & ~cutting[:-1]).sum()),
         **{f"{kind}_length": length for kind, length in lengths.items()},
-        "time_shares": _share_time(figures, kinds),
+        "time_shares": time_shares(program.seconds, kinds),
         "rotary_travel_deg": {program.letters[i]: float(moved[i]) for i in order[3:]},
         "axes": _axes(figures, order, moved),
     }
-
-
-def _time_ends(figures: Figures) -> Floats:
-    return time_ends(figures.kinematics, measure_ends(figures.program, figures.plane))
-
-
-def _share_time(figures: Figures, kinds: Mapping[str, Bools]) -> dict[str, float]:
-    """Give the share of the time of each kind, the program's ends being rapids."""
-    ends = _time_ends(figures)
-    seconds = np.concatenate([figures.program.seconds, ends])
-    return time_shares(
-        seconds,
-        {kind: np.concatenate([rows, np.full(len(ends), kind == "rapid")]) for kind, rows in kinds.items()},
-    )
 
 
 def time_shares(seconds: Floats, kinds: Mapping[str, Bools]) -> dict[str, float]:
