@@ -34,8 +34,8 @@ def state_ends(numbers: Mapping[str, Any]) -> Sentence:
     plane = numbers["start_plane"]
     if isinstance(plane, float):
         return say(
-            "From and to, travel and the length of rapids count Z coming down from {plane} to the first block and "
-            "rising to it from the last. Where the axes stand before is not known.",
+            "From and to, travel and the length of rapids count Z coming down from {plane} to the first "
+            "block and rising to it from the last. Where the axes stand before is not known.",
             plane=Length(plane),
         )
     return say(

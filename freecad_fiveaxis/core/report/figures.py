@@ -15,8 +15,8 @@ proven        the proven bound of every feed block is within the tolerance, and 
 block         a row of the Program, counted from 0; ``line`` a line of the NC file, counted from 1.
 pass          a run of CUT and FILL blocks between links and rapids. ``cut_length`` is theirs, ``link_length``
               that of other feed blocks, ``rapid_length`` that of the rapids: of the tip over the work, mm.
-ends          the first and last moves of the NC file that are no blocks (:mod:`.ends`): axes and length of rapids
-              count them as far as they are known; the time is that of the blocks.
+ends          the first and last moves of the NC file that are no blocks (:mod:`.ends`): axes and length of
+              rapids count them as far as they are known; the time is that of the blocks.
 peak rate     the largest mean rate of an axis over a feed block; travels and word ranges are those of all
               blocks.
 """
