@@ -12,11 +12,9 @@ from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, write_whole
 from freecad_fiveaxis.core.base.quantity import (
     ANGLES,
-    LENGTHS,
     parse,
     parse_length,
     parse_stack,
-    parse_triple,
     stack_text,
 )
 from freecad_fiveaxis.core.base.sentences import Number, say
@@ -34,7 +32,7 @@ from . import (
     tessellation,
     toolpath,
 )
-from .arguments import names
+from .arguments import names, place
 from .convert import stl_bytes
 from .long_work import take_back
 from .properties import list_drawn_tool, property_name
@@ -70,7 +68,7 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
 def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.create_toolpath`."""
     settings, setup = _with_setup(doc, _with_holder(settings))
-    fixtures = [compared.check_part(doc, one) for one in settings.pop("fixtures", None) or ()]
+    fixtures = compared.check_held(doc, settings.pop("fixtures", None))
     picked = settings.pop("picked", None) or {}
     extra = _extra(settings, _EXTRA)
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
@@ -112,11 +110,13 @@ def preview_passes(base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.preview_passes`."""
     if isinstance(getattr(base, "Proxy", None), toolpath.Toolpath):
         doc, given = base.Document, dict(settings) or convert.options_of(base, MILL)
+        given = _with_setup(doc, given)[0] if given.get("setup") is not None else given
         part, zero = previewing.part_of(base, settings), tuple(base.WorkZero)
     else:
         chosen, faces, avoid = _base(base, settings)
         doc, (given, _) = chosen.Document, _with_setup(chosen.Document, _with_holder(settings))
         part, zero = previewing.Part(chosen, faces, avoid, **_deflections(settings)), (0.0, 0.0, 0.0)
+    compared.check_held(doc, settings.get("fixtures"))
     apart = (*_OF_MESH, *_EXTRA, "setup", "fixtures", "picked")
     options = {name: value for name, value in given.items() if name not in apart and value is not None}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
@@ -145,7 +145,7 @@ def annotate(path: Any) -> Any:
 def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.audit`."""
     settings = _with_holder(settings)
-    fixtures = settings.pop("fixtures", None) or ()
+    fixtures = settings.pop("fixtures", None)
     drawn = _EXTRA | {"part"} | {one.name.lower() for one in list_drawn_tool(AUDIT)}
     options = {name: value for name, value in settings.items() if name not in drawn} | {"machine": machine}
     part = compared.check_part(doc, settings.get("part"))
@@ -173,7 +173,9 @@ def _with_setup(doc: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], 
     rest = {name: value for name, value in settings.items() if name != "setup"}
     shared = {name for name in (*job_setup.OPTIONS, "work_zero") if rest.get(name) is not None}
     setup = settings.get("setup") if "setup" in settings or shared else job_setup.only_setup(doc)
-    return (rest | job_setup.options_of(setup), setup) if setup is not None else (rest, None)
+    if setup is None:
+        return rest, None
+    return rest | job_setup.options_of(job_setup.check_setup(doc, setup)), setup
 
 
 def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
@@ -198,19 +200,11 @@ def _extra(settings: Mapping[str, Any], names: Collection[str]) -> dict[str, Any
 def _read(given: Any, name: str) -> Any:
     if name == "part":
         return given
-    return _place(given, name) if name == "work_zero" else _stack(given, name)
+    return place(given, name) if name == "work_zero" else _stack(given, name)
 
 
 def _stack(given: Any, name: str) -> str:
     return stack_text(parse_stack(given, name))
-
-
-def _place(given: Any, name: str) -> tuple[float, float, float]:
-    if not isinstance(given, str) and not hasattr(given, "__len__"):
-        raise SettingsError(
-            say("{name} {given} needs three numbers, as 0,0,50", name=name, given=repr(given)), given
-        )
-    return parse_triple(given if isinstance(given, str) else tuple(given), LENGTHS, name)
 
 
 def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:

@@ -11,7 +11,8 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from freecad_fiveaxis.core.base.errors import FileError
+from freecad_fiveaxis.core.base.errors import FileError, SettingsError
+from freecad_fiveaxis.core.base.quantity import LENGTHS, parse_triple
 from freecad_fiveaxis.core.base.sentences import say
 
 from .selection import SelectionError
@@ -46,13 +47,29 @@ def file_name_or_none(given: Any) -> Any:
     return given if given is None else file_name(given)
 
 
+def objects(given: Any) -> list[Any]:
+    """Return objects of a document; a single one may stand by itself, None is none."""
+    several = [] if given is None else list(given) if isinstance(given, (tuple, list)) else [given]
+    return [_with(one, "Document", say("solids or meshes of the document")) for one in several]
+
+
+def place(given: Any, name: str) -> tuple[float, float, float]:
+    """Return the three numbers (mm) of a place, which are given as such or as a text. Raises
+    SettingsError."""
+    if not isinstance(given, str) and not hasattr(given, "__len__"):
+        raise SettingsError(
+            say("{name} {given} needs three numbers, as 0,0,50", name=name, given=repr(given)), given
+        )
+    return parse_triple(given if isinstance(given, str) else tuple(given), LENGTHS, name)
+
+
 def names(given: Any) -> tuple[str, ...]:
     """Names; a single one may stand by itself."""
     if isinstance(given, str):
         return (given,)
     if isinstance(given, (tuple, list)) and all(isinstance(one, str) for one in given):
         return tuple(given)
-    raise _refuse(given, say("a list of names"))
+    raise refuse(given, say("a list of names"))
 
 
 def base(given: Any) -> Any:
@@ -67,7 +84,7 @@ def files(given: Any) -> Any:
     if given is not None and not (
         isinstance(given, Mapping) and all(isinstance(data, bytes) for data in given.values())
     ):
-        raise _refuse(given, say("file names with their contents as bytes"))
+        raise refuse(given, say("file names with their contents as bytes"))
     for name in given or ():
         file_name(name)
     return given
@@ -79,11 +96,12 @@ def _with(given: Any, name: str, wanted: str) -> Any:
     except ReferenceError:  # a document that is closed, an object that is deleted
         fits = False
     if not fits:
-        raise _refuse(given, wanted)
+        raise refuse(given, wanted)
     return given
 
 
-def _refuse(given: Any, wanted: str) -> SelectionError:
+def refuse(given: Any, wanted: str) -> SelectionError:
+    """Return what to say of an argument that is not what is ``wanted``."""
     return SelectionError(
         say("{value} is not what is meant: give {wanted}", value=_show_given(given), wanted=wanted), given
     )

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import FreeCAD
@@ -13,19 +14,23 @@ from freecad_fiveaxis.core.base.files import check_readable, read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.programs import ProgramDraft
 from freecad_fiveaxis.core.pipeline.settings import AUDIT, build_settings, is_part
+from freecad_fiveaxis.core.tool import cutter_text, parse_cutter
 
 from . import compared, convert, results
 from .plain_errors import hide_trace
 from .properties import (
+    CUTTER,
     HIDDEN,
     OUTPUT,
     QT_TRANSLATE_NOOP,
     WORK_ZERO,
     Property,
     list_drawn_tool,
+    list_options,
     setting_properties,
 )
 from .result_properties import RESULTS
@@ -47,6 +52,11 @@ PART_LABEL = Property(
         "missed"), "",
     HIDDEN | OUTPUT,
 )  # fmt: skip
+FROM_PROGRAM = Property(
+    "CutterFromProgram", "App::PropertyBool", "Tool",
+    QT_TRANSLATE_NOOP("App::Property", "Take the cutter that the program names, or the file to compare with"),
+    True,
+)  # fmt: skip
 NC_FILE = Property(
     "NCFile",
     "App::PropertyFile",
@@ -54,6 +64,7 @@ NC_FILE = Property(
     QT_TRANSLATE_NOOP("App::Property", "The NC file that is judged"),
     "",
 )
+_CUTTER = {one.name for one in CUTTER}
 
 
 class Audit(Proxy):
@@ -75,6 +86,7 @@ class Audit(Proxy):
             PART_LABEL,
             FIXTURES,
             *setting_properties(AUDIT),
+            FROM_PROGRAM,
             *list_drawn_tool(AUDIT),
             WORK_ZERO,
             *RESULTS,
@@ -105,13 +117,49 @@ class Audit(Proxy):
         """Another part is remembered by its name. That it is deleted looks here as if it was taken out of the
         property: only :func:`compare_with` takes it out for good."""
         super().onChanged(obj, name)
-        if self.whole and name == PART.name and obj.Part is not None and not is_restored(obj):
+        if not self.whole or is_restored(obj):
+            return
+        if name == PART.name and obj.Part is not None:
             obj.PartLabel = obj.Part.Label
+        if name in _CUTTER:  # somebody has said which
+            obj.CutterFromProgram = False
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Of an earlier version only a cutter at its default was not given."""
+        said = FROM_PROGRAM.name not in obj.PropertiesList and not has_default_cutter(obj)
+        super().onDocumentRestored(obj)
+        if said:
+            obj.CutterFromProgram = False
 
     @hide_trace
     def execute(self, obj: Any) -> None:
-        """FreeCAD recomputes the object."""
+        """FreeCAD recomputes the object. Where the program names the cutter, its properties show that one."""
         results.execute(obj)
+        if obj.CutterFromProgram and self.last:
+            taken = self.last.result.draft.settings.cutter.cutter
+            if parse_cutter(convert.cutter_of(obj)) != taken:
+                convert.put_cutter(obj, taken)
+                obj.CutterFromProgram = True
+
+
+def find_other_cutter(nc_path: str, than: str) -> str | None:
+    """Return the cutter that a program names, as an option, where it is another one ``than`` this but for the
+    length, which no program names; None where it names none, or cannot be read."""
+    try:
+        named = find_named_cutter(read_bytes(nc_path, "NC file")) if nc_path else None
+        same = named and replace(parse_cutter(than), length=named.length) == named
+    except FiveAxisError:
+        return None
+    return None if named is None or same else cutter_text(named)
+
+
+def has_default_cutter(obj: Any) -> bool:
+    """Whether an Audit shows the cutter of a new one; one that cannot be is none."""
+    default = next(leaf.default for _, leaf in list_options(AUDIT) if leaf.name == "cutter")
+    try:
+        return bool(parse_cutter(convert.cutter_of(obj)) == default)
+    except FiveAxisError:
+        return False
 
 
 def compare_with(obj: Any, part: Any) -> None:
@@ -132,17 +180,17 @@ def part_is_gone(obj: Any) -> SelectionError:
     return SelectionError(text, obj.Label)
 
 
-def check_fixtures(doc: Any, fixtures: Sequence[Any], part: Any) -> list[Any]:
+def check_fixtures(doc: Any, fixtures: Any, part: Any) -> list[Any]:
     """Give the fixtures of an Audit. Raises SelectionError for what is no solid and no mesh, and for the part
     itself."""
-    for one in fixtures:
-        compared.check_part(doc, one)
+    given = compared.check_held(doc, fixtures)
+    for one in given:
         if one is part:
             text = say(
                 "{label} is the part to compare with: choose what holds it, or no fixture.", label=one.Label
             )
             raise SelectionError(text, one.Label)
-    return list(fixtures)
+    return given
 
 
 def audit_options(

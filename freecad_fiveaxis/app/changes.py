@@ -62,6 +62,7 @@ def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
     if list(obj.Fixtures) != fixtures:
         obj.Fixtures = fixtures
     _put(obj, AUDIT, options, settings.get("work_zero"))
+    obj.CutterFromProgram = options.get("cutter") is None
     return compute(obj)
 
 

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 
-from . import selection
+from . import arguments, selection
 from .convert import facets_of, move_to_zero
 from .tessellation import ANGULAR, LINEAR, mesh_base
 
@@ -93,6 +93,12 @@ def check_part(doc: Any, part: Any) -> Any:
     if not selection.is_mesh(part):
         selection.solids(part)
     return part
+
+
+def check_held(doc: Any, given: Any) -> list[Any]:
+    """Return the objects that hold a part: a list of them, a single one, or None. Raises SelectionError for
+    what is neither solid nor mesh of the document."""
+    return [check_part(doc, one) for one in arguments.objects(given)]
 
 
 def find_held_parts(

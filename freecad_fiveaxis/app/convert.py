@@ -105,11 +105,10 @@ def convert_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _cutter_option(obj: Any, task: str, leaf: Any) -> dict[str, Any]:
-    """Return the cutter; that of an audit at its default only beside a part: otherwise nobody has said that
-    it is the one that cuts."""
-    given = cutter_of(obj)
-    unsaid = task == AUDIT and not obj.Against and obj.Part is None and parse_cutter(given) == leaf.default
-    return {} if unsaid else {leaf.name: given}
+    """Return the cutter; none where an audit takes that which the program names: only what is not said does
+    the core look for."""
+    unsaid = task == AUDIT and obj.CutterFromProgram
+    return {} if unsaid else {leaf.name: cutter_of(obj)}
 
 
 def cutter_of(obj: Any) -> str:
@@ -163,8 +162,9 @@ def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
 def _put(obj: Any, leaf: Any, value: Any) -> None:
     name, kind = property_name(leaf.name), leaf.metadata["kind"]
     if kind == "cutter":
-        for held_in, size in cutter_values(value).items():
-            setattr(obj, held_in, size)
+        put_cutter(obj, value)
+        if hasattr(obj, "CutterFromProgram"):
+            obj.CutterFromProgram = False
         return
     if kind == "point":
         setattr(obj, name + "FromMachine", False)
@@ -172,6 +172,12 @@ def _put(obj: Any, leaf: Any, value: Any) -> None:
     if isinstance(held, str) and (choices := obj.getEnumerationsOfProperty(name)):
         held = _choice(leaf.name, held, choices)
     setattr(obj, name, FreeCAD.Vector(*held) if isinstance(held, tuple) else held)
+
+
+def put_cutter(obj: Any, cutter: Cutter) -> None:
+    """Show a cutter in the object's properties."""
+    for name, size in cutter_values(cutter).items():
+        setattr(obj, name, size)
 
 
 def _choice(option: str, value: str, choices: Sequence[str]) -> str:

@@ -16,13 +16,16 @@ import FreeCAD
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline.options import dialect_for
 from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings
 from freecad_fiveaxis.core.tool import cutter_text, parse_cutter
 
 from . import cam, convert, tool_bit, wording
+from .arguments import names, place, refuse
 from .plain_errors import hide_trace
 from .properties import QT_TRANSLATE_NOOP, WORK_ZERO, Property, property_name, setting_properties
 from .schema import Proxy, is_restored
+from .selection import SelectionError
 
 OPTIONS = ("machine", "controller", "origin", "tool_length", "work_offset")
 """The options that are shared."""
@@ -118,12 +121,13 @@ def create(doc: Any, settings: Mapping[str, Any], job: Any = None) -> Any:
         name: value for name, value in settings.items() if value is not None
     }
     zero, tools = options.pop("work_zero", None), options.pop("tools", None)
+    lines = None if tools is None else [check_tool(line) for line in names(tools)]
     obj = doc.addObject("App::FeaturePython", "Setup")
     try:
         JobSetup(obj)
         put(obj, options, zero)
         obj.Tools = (
-            list(tools) if tools is not None else [line for one in _jobs(doc, job) for line in tools_of(one)]
+            lines if lines is not None else [line for one in _jobs(doc, job) for line in tools_of(one)]
         )
     except BaseException:
         doc.removeObject(obj.Name)
@@ -133,16 +137,43 @@ def create(doc: Any, settings: Mapping[str, Any], job: Any = None) -> Any:
 
 
 def put(setup: Any, options: Mapping[str, Any], zero: Any = None) -> None:
-    """Give a setup these options; one that is missing goes back to its default. Raises SettingsError."""
-    build_settings(MILL, "part", options)
-    load_machine(options["machine"])
+    """Give a setup these options; one that is missing goes back to its default. Raises SettingsError, and
+    then has set none."""
+    check(options)
+    at = None if zero is None else place(zero, "work_zero")
     for one in JobSetup.properties():
         if one.name in SHARED and one.name not in ("Machine", WORK_ZERO.name):
             value = one.default
             setattr(setup, one.name, FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
     convert.put_options(setup, MILL, options)
-    if zero is not None:
-        setup.WorkZero = FreeCAD.Vector(*zero)
+    if at is not None:
+        setup.WorkZero = FreeCAD.Vector(*at)
+
+
+def check(options: Mapping[str, Any]) -> None:
+    """Look at options that a setup is to get. Raises SettingsError, MachineError."""
+    settings = build_settings(MILL, "part", options)
+    if unknown := sorted(set(options) - set(OPTIONS)):
+        text = say(
+            "{unknown}: no setting of a setup; known: {known}", unknown=", ".join(unknown),
+            known=", ".join((*OPTIONS, "work_zero", "tools")),
+        )  # fmt: skip
+        raise SettingsError(text, unknown[0])
+    dialect = dialect_for(settings.machine.controller, load_machine(settings.machine.machine))
+    dialect.check_offset(settings.head.work_offset)
+
+
+def check_setup(doc: Any, given: Any) -> Any:
+    """Return a Setup of the document. Raises SelectionError for anything else."""
+    if not is_setup(given):
+        raise refuse(given, say("a setup, as create_setup gives it"))
+    if given.Document.Name != doc.Name:
+        text = say(
+            "{label} is in another document: select something in {document}.", label=given.Label,
+            document=doc.Label,
+        )  # fmt: skip
+        raise SelectionError(text, given.Label)
+    return given
 
 
 def tools_of(job: Any) -> list[str]:
@@ -159,15 +190,29 @@ def cutters_of(setup: Any) -> list[tool_bit.JobTool]:
     return [_tool(line) for line in setup.Tools if line.strip()]
 
 
+def check_tool(line: str) -> str:
+    """Return a line that is a tool. Raises SettingsError."""
+    _read_tool(line)
+    return line
+
+
+def _read_tool(line: str) -> tool_bit.JobTool:
+    number, text, label = _split(line)
+    if not number[1:].isdecimal():
+        raise SettingsError(
+            say("{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher", line=line), line
+        )
+    return tool_bit.JobTool(label or text, int(number[1:]), parse_cutter(text))
+
+
+def _split(line: str) -> list[str]:
+    return [*line.split(maxsplit=2), "", "", ""][:3]
+
+
 def _tool(line: str) -> tool_bit.JobTool:
-    number, text, label = [*line.split(maxsplit=2), "", ""][:3]
+    number, _, label = _split(line)
     try:
-        if not number[1:].isdecimal():
-            raise SettingsError(
-                say("{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher", line=line),
-                line,
-            )
-        return tool_bit.JobTool(label or text, int(number[1:]), parse_cutter(text))
+        return _read_tool(line)
     except SettingsError as error:
         return tool_bit.JobTool(
             label or line, int(number[1:]) if number[1:].isdecimal() else 0, None, wording.localize(error)

@@ -25,7 +25,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.progress import Progress
-from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_triple
+from freecad_fiveaxis.core.base.quantity import ANGLES, parse
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -45,7 +45,7 @@ from freecad_fiveaxis.core.studies.reach_report import (
 from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 
 from . import compared, convert, results, selection, tessellation, wording
-from .arguments import names
+from .arguments import names, place
 from .job_setup import DEFAULT_MACHINE
 from .long_work import listening, run, take_back
 from .plain_errors import hide_trace
@@ -151,7 +151,7 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
     load_machine(options["machine"])
     own = _own(settings)
     doc, added = _document(base if obj is None else obj), list[Any]()
-    fixtures = [compared.check_part(doc, one) for one in settings.get("fixtures") or ()]
+    fixtures = compared.check_held(doc, settings.get("fixtures"))
     try:
         if obj is None:
             mesh = _mesh_of(base, settings, added)
@@ -202,12 +202,8 @@ def _own(settings: Mapping[str, Any]) -> dict[str, Any]:
             "largest axis angle {angle} is out of range; it must be above 0 and at most 180", angle=str(angle)
         )
         raise SettingsError(text, angle)
-    place = (
-        (0.0, 0.0, 0.0)
-        if zero is None
-        else parse_triple(zero if isinstance(zero, str) else tuple(zero), LENGTHS, "work_zero")
-    )
-    return {"WorkZero": FreeCAD.Vector(*place), "LargestAxisAngle": degrees}
+    at = (0.0, 0.0, 0.0) if zero is None else place(zero, "work_zero")
+    return {"WorkZero": FreeCAD.Vector(*at), "LargestAxisAngle": degrees}
 
 
 def _put(obj: Any, options: Mapping[str, Any], own: Mapping[str, Any]) -> None:

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.new_speed import change_speed, without_speed
 from freecad_fiveaxis.core.pipeline.outputs import curve_files
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram, Result
-from freecad_fiveaxis.core.pipeline.settings import Settings
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, Settings
 from freecad_fiveaxis.core.report import Figures
 
 from . import convert, wording
@@ -83,6 +83,8 @@ class Task:
         files = _contents(self.settings, ("against",) if self.part else ())
         inputs = repr((__version__, settings, _machine(self.settings), self.runs, *files)).encode()
         inputs += repr(self.avoided).encode() if self.avoided and settings.gouge.avoid_allowance else b""
+        if settings.task == AUDIT and "cutter" not in settings.explicit:  # that of the program is looked for
+            inputs += b"named cutter"
         data = self.data.digest() if isinstance(self.data, Facets) else hashlib.sha256(self.data).digest()
         data += b"".join(one.digest() for one in ((self.part,) if self.part else ()) + self.fixtures)
         return hashlib.sha256(data + inputs).hexdigest()

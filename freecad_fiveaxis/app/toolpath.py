@@ -105,12 +105,12 @@ class Toolpath(Proxy):
         results.execute(obj)
 
 
-def check_fixtures(obj: Any, fixtures: Sequence[Any] | None = None) -> list[Any]:
+def check_fixtures(obj: Any, fixtures: Any = None) -> list[Any]:
     """Give the fixtures of a Toolpath, or those that it is to get. Raises SelectionError for what is no solid
     and no mesh, and for the part itself."""
-    part, given = getattr(obj.Mesh, "Base", None), list(obj.Fixtures if fixtures is None else fixtures)
+    part = getattr(obj.Mesh, "Base", None)
+    given = compared.check_held(obj.Document, obj.Fixtures if fixtures is None else fixtures)
     for one in given:
-        compared.check_part(obj.Document, one)
         if one is obj.Mesh or (part and one is part[0]):
             text = say(
                 "{label} is the part that is milled: choose what holds it, or no fixture.", label=one.Label

@@ -272,6 +272,10 @@
         <translation>Fräser-Flanke</translation>
     </message>
     <message>
+        <source>Cutter From Program</source>
+        <translation>Fräser aus dem Programm</translation>
+    </message>
+    <message>
         <source>Cutter Kind</source>
         <translation>Fräserart</translation>
     </message>
@@ -1250,6 +1254,10 @@
     <message>
         <source>Table Height</source>
         <translation>Tischhöhe</translation>
+    </message>
+    <message>
+        <source>Take the cutter that the program names, or the file to compare with</source>
+        <translation>Den Fräser nehmen, den das Programm nennt oder die Datei, mit der verglichen wird</translation>
     </message>
     <message>
         <source>Take the work zero's place on the machine from the machine's file</source>
@@ -6296,6 +6304,10 @@
         <translation>eine Aufspannkarte</translation>
     </message>
     <message>
+        <source>a setup, as create_setup gives it</source>
+        <translation>eine Aufspannung, wie create_setup sie gibt</translation>
+    </message>
+    <message>
         <source>a side is not machined ({area})</source>
         <translation>eine Seite ist nicht bearbeitet ({area})</translation>
     </message>
@@ -8210,6 +8222,10 @@
     <message>
         <source>side {side} is neither table nor head</source>
         <translation>die Seite {side} ist weder table noch head</translation>
+    </message>
+    <message>
+        <source>solids or meshes of the document</source>
+        <translation>Volumenkörper oder Netze des Dokuments</translation>
     </message>
     <message>
         <source>spindle</source>
@@ -10750,6 +10766,10 @@
     <message>
         <source>{turns} to lean the tool by {lean}</source>
         <translation>{turns}, um das Werkzeug um {lean} zu neigen</translation>
+    </message>
+    <message>
+        <source>{unknown}: no setting of a setup; known: {known}</source>
+        <translation>{unknown}: keine Einstellung einer Aufspannung; bekannt: {known}</translation>
     </message>
     <message>
         <source>{unknown}: no setting of a tessellation; known: {known}</source>

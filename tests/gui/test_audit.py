@@ -155,3 +155,33 @@ def test_another_solid_puts_the_audit_out_of_date_and_its_panel_keeps_the_part(
     assert panel.stale and panel.calculate() and result.Part is None
     panel.reject()
     assert result.Part is dome
+
+
+def test_the_cutter_that_the_chosen_program_names_is_shown_and_taken_until_one_is_typed(
+    doc, dome, tmp_path, field, type_into, choose, click, until, pump
+):
+    for name, head in (("six", "(BALL 6 MM)\n"), ("none", "")):
+        (tmp_path / f"{name}.nc").write_text(f"G21 G90 G94\n{head}G1 X0 Y0 Z50 A0 C0 F500\nG1 X9\nM2\n")
+
+    def shown():
+        return panel.options.fields["cutter"].sizes["diameter"].value()
+
+    panel = audit.create(doc)
+    pump(300)
+    choose(field("part"), "Dome")
+    type_into(field("nc_file"), str(tmp_path / "six.nc"))
+    until(lambda: shown() == 6, 20000, "the diameter of the program's cutter")
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
+    assert panel.obj.CutterFromProgram and panel.obj.CutterDiameter.Value == 6
+    assert any("the one that the program names is taken" in text for text in panel.obj.Findings)
+    type_into(field("nc_file"), str(tmp_path / "none.nc"))
+    until(lambda: shown() == 10, 20000, "the diameter of before")
+    type_into(field("cutter_diameter"), "8 mm")
+    type_into(field("nc_file"), str(tmp_path / "six.nc"))
+    pump(300)
+    assert shown() == 8, "what the user typed stays"
+    click(field("calculate"))
+    until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
+    assert not panel.obj.CutterFromProgram and panel.obj.CutterDiameter.Value == 8
+    panel.reject()

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, translate
@@ -36,7 +36,44 @@ class AuditPanel(PathPanel):
             "Solids and meshes of the document that hold the part: the tool is checked against them",
         )
         extras = [self.file, PartField(doc), FixturesField(doc, None, hint), zero]
+        self.named: str | None = None  # the cutter that is shown because a program names it
+        self.first = ""  # the cutter that was shown first
+        self.seen: tuple[str, str] | None = None  # file and cutter, until the user gives a cutter himself
         super().__init__(doc, translate("FiveAxis", "Audit"), Form("audit", doc, _sections(), extras), obj)
+
+    def fill(self, values: Mapping[str, Any]) -> None:
+        """Show these values. Their cutter counts until a file is chosen that names another one, unless it was
+        given for the audit that is there."""
+        cutter, given = self.options.fields["cutter"], self.obj is not None and not self.obj.CutterFromProgram
+        self.seen = None
+        self.options.show_options(values)
+        self.named = cutter.value() if self.obj is not None and not given else None
+        self.first = cutter.value()
+        self.seen = None if given else (self.file.value(), cutter.value())
+        super().fill(values)
+
+    def _on_edit(self) -> None:
+        self._follow_program()
+        super()._on_edit()
+
+    def _follow_program(self) -> None:
+        """Show the cutter that the chosen file names, until the user says another one."""
+        from freecad_fiveaxis.app.auditing import find_other_cutter
+
+        cutter, file = self.options.fields["cutter"], self.file.value()
+        if self.seen is None or self.seen[0] == file or self.seen[1] != cutter.value():
+            return
+        found = find_other_cutter(file, self.first)
+        if cutter.value() != (shown := found or self.first):
+            self.seen = None  # to show it is an edit, too
+            self.options.show_options({"cutter": shown})
+        self.named = cutter.value() if found else None
+        self.seen = file, cutter.value()
+
+    def read_settings(self) -> dict[str, Any]:
+        """Return what the form says, without a cutter that only the program has named."""
+        settings = self.options.read_values()
+        return settings if settings.get("cutter") != self.named else settings | {"cutter": None}
 
     def compute(self) -> Any:
         """Return a new Audit, or the one that is there with other settings."""
@@ -44,7 +81,7 @@ class AuditPanel(PathPanel):
         from freecad_fiveaxis.app import changes
 
         empty = not self.doc.Objects
-        settings = self.options.read_values()
+        settings = self.read_settings()
         path = settings.pop("nc_file")
         audited = (
             changes.change_audit(self.obj, path, settings)
@@ -111,10 +148,11 @@ def create(doc: Any, chosen: Collection[Any] = ()) -> AuditPanel:
 
 def edit(obj: Any) -> AuditPanel:
     """Open the panel for an Audit that is there."""
-    from freecad_fiveaxis.app import changes
+    from freecad_fiveaxis.app import changes, convert
 
     panel = AuditPanel(obj.Document, obj)
     extras = {
+        "cutter": convert.cutter_of(obj),
         "nc_file": obj.NCFile,
         "part": obj.Part,
         "fixtures": obj.Fixtures,

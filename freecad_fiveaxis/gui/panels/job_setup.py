@@ -52,8 +52,17 @@ class SetupDialog(QtWidgets.QDialog):
 
     def accept(self) -> None:
         """Accept the fields; the dialog stays where something cannot be used."""
-        if self.options.check():
-            super().accept()
+        from freecad_fiveaxis.app import job_setup, wording
+        from freecad_fiveaxis.core.base.errors import FiveAxisError
+
+        if not self.options.check():
+            return
+        try:
+            job_setup.check(self.options.options())
+        except FiveAxisError as error:
+            self.options.show_error(wording.localize(error))
+            return
+        super().accept()
 
 
 def ask(doc: Any, obj: Any = None, values: dict[str, Any] | None = None) -> Any:
