@@ -220,3 +220,13 @@ def test_processes_find_one_thread_in_their_environment_before_they_import_anyth
     monkeypatch.setenv(crew.ONE_THREAD[0], "3")
     crew.process_crew(1).open().shutdown()
     assert [os.environ.get(name) for name in crew.ONE_THREAD] == ["3", "1", "1"]
+
+
+def test_the_folder_of_a_jobs_files_is_made_where_it_is_not_there(parts, tmp_path, blank_pages):
+    out = tmp_path / "new" / "out"
+    job = plan.read_jobs(str(parts), dict(roofs.WAY), str(out))[0]
+    assert not out.exists()
+    assert [one.error for one in run_batch([job])] == [""] and Path(job.nc).is_file()
+    (tmp_path / "file").write_text("in the way")
+    job = plan.read_jobs(str(parts), dict(roofs.WAY), str(tmp_path / "file" / "out"))[0]
+    assert ["cannot be written" in one.error for one in run_batch([job])] == [True]

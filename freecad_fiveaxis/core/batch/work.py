@@ -13,6 +13,7 @@ import json
 import os
 import threading
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -126,8 +127,15 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
         "row": row,
     }
     report = json_text(json.loads(as_json(figures)) | {MARK: mark})
+    _make_folder(job.stem)
     write_all(files | {job.json: report.encode("utf-8", "backslashreplace")})
     return JobOutcome(job.stem, row, job.files)
+
+
+def _make_folder(stem: str) -> None:
+    """Make the folder of a job's files where it is not there. What cannot be made, the files say."""
+    with suppress(OSError):
+        os.makedirs(os.path.dirname(stem) or ".", exist_ok=True)
 
 
 def _files(job: BatchJob, result: Result, figures: Figures, progress: Progress) -> dict[str, bytes]:
