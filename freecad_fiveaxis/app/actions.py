@@ -11,13 +11,11 @@ from typing import Any
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, write_whole
 from freecad_fiveaxis.core.base.quantity import (
-    ANGLES,
-    parse,
     parse_length,
     parse_stack,
     stack_text,
 )
-from freecad_fiveaxis.core.base.sentences import Number, say
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.pipeline.settings import AUDIT, MILL, build_settings
 
 from . import (
@@ -32,7 +30,7 @@ from . import (
     tessellation,
     toolpath,
 )
-from .arguments import names, place
+from .arguments import deflections, names, place
 from .convert import stl_bytes
 from .long_work import take_back
 from .properties import list_drawn_tool, property_name
@@ -44,7 +42,7 @@ DEFAULT_MACHINE = "trunnion_ac"
 
 def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.tessellate`."""
-    mesh = _deflections(settings)
+    mesh = deflections(settings)
     if unknown := set(settings) - _OF_MESH:
         raise SettingsError(
             say(
@@ -87,7 +85,7 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     with _all_or_nothing(doc) as added:
         mesh = chosen
         if not selection.is_mesh(chosen) or faces or avoid:
-            mesh = tessellation.make(doc, chosen, faces, **_deflections(settings), avoid=avoid)
+            mesh = tessellation.make(doc, chosen, faces, **deflections(settings), avoid=avoid)
             added.append(mesh)
         elif unused := {"linear_deflection", "angular_deflection"} & set(settings):
             raise SettingsError(
@@ -115,7 +113,7 @@ def preview_passes(base: Any, settings: Mapping[str, Any]) -> Any:
     else:
         chosen, faces, avoid = _base(base, settings)
         doc, (given, _) = chosen.Document, _with_setup(chosen.Document, _with_holder(settings))
-        part, zero = previewing.Part(chosen, faces, avoid, **_deflections(settings)), (0.0, 0.0, 0.0)
+        part, zero = previewing.Part(chosen, faces, avoid, **deflections(settings)), (0.0, 0.0, 0.0)
     compared.check_held(doc, settings.get("fixtures"))
     apart = (*_OF_MESH, *_EXTRA, "setup", "fixtures", "picked")
     options = {name: value for name, value in given.items() if name not in apart and value is not None}
@@ -205,26 +203,6 @@ def _read(given: Any, name: str) -> Any:
 
 def _stack(given: Any, name: str) -> str:
     return stack_text(parse_stack(given, name))
-
-
-def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:
-    """Return the mesher's deflections, mm and **degrees**, as far as given. Raises SettingsError."""
-    read = {}
-    if settings.get("linear_deflection") is not None:
-        read["linear"] = parse_length(settings["linear_deflection"], "linear deflection")
-    if settings.get("angular_deflection") is not None:
-        read["angular"] = parse(settings["angular_deflection"], ANGLES, "angular deflection") / ANGLES["deg"]
-    for name, value in read.items():
-        if value <= 0.0:
-            raise SettingsError(
-                say(
-                    "{name} deflection {value} is out of range; it must be above 0",
-                    name=name,
-                    value=Number(value),
-                ),
-                value,
-            )
-    return read
 
 
 def _base(given: Any, settings: Mapping[str, Any]) -> tuple[Any, tuple[str, ...], tuple[str, ...]]:

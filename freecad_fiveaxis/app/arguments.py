@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
-from freecad_fiveaxis.core.base.quantity import LENGTHS, parse_triple
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_length, parse_triple
+from freecad_fiveaxis.core.base.sentences import Number, say
 
 from .selection import SelectionError
 
@@ -61,6 +61,26 @@ def place(given: Any, name: str) -> tuple[float, float, float]:
             say("{name} {given} needs three numbers, as 0,0,50", name=name, given=repr(given)), given
         )
     return parse_triple(given if isinstance(given, str) else tuple(given), LENGTHS, name)
+
+
+def deflections(settings: Mapping[str, Any]) -> dict[str, float]:
+    """Return the mesher's deflections, mm and **degrees**, as far as given. Raises SettingsError."""
+    read = {}
+    if settings.get("linear_deflection") is not None:
+        read["linear"] = parse_length(settings["linear_deflection"], "linear deflection")
+    if settings.get("angular_deflection") is not None:
+        read["angular"] = parse(settings["angular_deflection"], ANGLES, "angular deflection") / ANGLES["deg"]
+    for name, value in read.items():
+        if value <= 0.0:
+            raise SettingsError(
+                say(
+                    "{name} deflection {value} is out of range; it must be above 0",
+                    name=name,
+                    value=Number(value),
+                ),
+                value,
+            )
+    return read
 
 
 def names(given: Any) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ import sys
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, suppress
 from typing import Any, Generic, TypeVar
 
@@ -101,6 +101,22 @@ def take_back(doc: Any, *objects: Any) -> None:
     if is_open(doc):
         for obj in reversed(objects):
             doc.removeObject(obj.Name)
+
+
+@contextmanager
+def as_before(obj: Any, names: Iterable[str]) -> Iterator[None]:
+    """Give an object back these properties, and whether it waits to be computed, where work with it fails."""
+    doc, touched = obj.Document, "Touched" in obj.State
+    values = {name: getattr(obj, name) for name in names}
+    try:
+        yield
+    except BaseException:
+        if is_open(doc):
+            for name, value in values.items():
+                setattr(obj, name, value)
+            if not touched:
+                obj.purgeTouched()
+        raise
 
 
 def check_open(doc: Any) -> None:

@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.pipeline import preview
 from freecad_fiveaxis.core.pipeline.settings import MILL, Settings, build_settings
 
 from . import convert, results, selection, tessellation, toolpath
+from .arguments import names
 from .long_work import check_open, listening, run
 
 
@@ -41,14 +42,15 @@ def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
     mesh = path.Mesh
     if mesh is None:
         raise toolpath.mesh_is_gone(path)
+    chosen, avoid = names(settings.get("faces") or ()), settings.get("avoid")
     if not hasattr(mesh, "LinearDeflection"):
-        if settings.get("avoid"):
+        if chosen or avoid:
             raise tessellation.no_names(mesh)
         return Part(mesh)
     base, faces = tessellation.find_base_and_faces(mesh)
-    avoid, linear = settings.get("avoid"), settings.get("linear_deflection")
+    linear = settings.get("linear_deflection")
     return Part(
-        base, faces, tessellation.name_avoided(mesh) if avoid is None else tuple(avoid),
+        base, chosen or faces, tessellation.name_avoided(mesh) if avoid is None else names(avoid),
         mesh.LinearDeflection.Value if linear is None else linear,
         settings.get("angular_deflection") or mesh.AngularDeflection.Value, mesh,
     )  # fmt: skip
@@ -97,4 +99,5 @@ def _is_meshed(part: Part) -> bool:
     if mesh is None or mesh.State != ["Up-to-date"] or mesh.MadeOf != tessellation.hash_inputs(mesh):
         return False
     known = (mesh.LinearDeflection.Value, mesh.AngularDeflection.Value, tessellation.name_avoided(mesh))
-    return known == (part.linear, part.angular, tuple(part.avoid))
+    same_faces = tessellation.find_base_and_faces(mesh)[1] == tuple(part.faces)
+    return same_faces and known == (part.linear, part.angular, tuple(part.avoid))

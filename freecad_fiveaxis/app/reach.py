@@ -45,10 +45,12 @@ from freecad_fiveaxis.core.studies.reach_report import (
 from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 
 from . import compared, convert, results, selection, tessellation, wording
-from .arguments import names, place
+from .arguments import deflections, names, place
 from .job_setup import DEFAULT_MACHINE
+from .labels import translate
 from .long_work import listening, run, take_back
 from .plain_errors import hide_trace
+from .previewing import part_of
 from .properties import Property, list_options, setting_properties
 from .reach_properties import ANY_ANGLE, PROPERTIES
 from .schema import Proxy
@@ -78,7 +80,8 @@ OWN = (
     "angular_deflection",
 )
 """Settings that are no options of the core's task."""
-_DEFLECTIONS = {"linear_deflection": "linear", "angular_deflection": "angular"}
+OF_MESH = ("faces", "avoid", "linear_deflection", "angular_deflection")
+"""Those of them that are of the mesh."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +147,7 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
     """See :func:`freecad_fiveaxis.app.reach_map`. ``obj``: a map that is there already and gets these
     settings."""
     if obj is None and isinstance(getattr(base, "Proxy", None), Toolpath):
-        settings, base = take_over(base) | dict(settings), base.Mesh
+        settings, base = _of_path(base, settings)
     options = {name: value for name, value in settings.items() if name not in OWN and value is not None}
     options.setdefault("machine", DEFAULT_MACHINE)
     build_settings(REACH, "part.stl", options)
@@ -158,7 +161,7 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
             obj = doc.addObject("App::FeaturePython", "ReachMap")
             added.append(obj)
             ReachMap(obj)
-            obj.Label, obj.Mesh = "Reach map", mesh
+            obj.Label, obj.Mesh = translate("FiveAxis", "Reach map"), mesh
         _put(obj, options, own | {"Fixtures": fixtures})
         find_map(obj)  # errors reach the caller; the recompute then finds the work done
         obj.touch()
@@ -167,6 +170,20 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
         take_back(doc, *added)
         raise
     return obj
+
+
+def _of_path(path: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
+    """Return the settings with what a Toolpath says, and its mesh; its part where other faces or another mesh
+    of that are asked for. Raises SelectionError."""
+    whole = take_over(path) | dict(settings)
+    if not any(settings.get(name) is not None for name in OF_MESH):
+        if path.Mesh is None:
+            raise mesh_is_gone(path)
+        return whole, path.Mesh
+    part = part_of(path, settings)
+    sizes = {"linear_deflection": part.linear, "angular_deflection": part.angular}
+    chosen = {"faces": part.faces, "avoid": part.avoid}
+    return (whole, part.base) if part.mesh is None else (whole | chosen | sizes, part.base)
 
 
 def _document(given: Any) -> Any:
@@ -186,10 +203,7 @@ def _mesh_of(base: Any, settings: Mapping[str, Any], added: list[Any]) -> Any:
         return base
     if base.State != ["Up-to-date"] or base.MustExecute:
         base.Document.recompute([base])
-    sizes = {
-        way: float(settings[name]) for name, way in _DEFLECTIONS.items() if settings.get(name) is not None
-    }
-    added.append(tessellation.make(base.Document, base, faces, avoid=avoid, **sizes))
+    added.append(tessellation.make(base.Document, base, faces, avoid=avoid, **deflections(settings)))
     return added[-1]
 
 

@@ -28,7 +28,8 @@ from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.report import Figures
 
 from . import results, wording
-from .long_work import listening, run, take_back
+from .labels import translate
+from .long_work import as_before, listening, run, take_back
 from .plain_errors import hide_trace
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
@@ -139,10 +140,12 @@ def rest_map(path: Any) -> Any:
 
         obj = doc.addObject("App::FeaturePython", "LeftMap")
         LeftMap(obj)
-        obj.Label = "What is left"
+        obj.Label = translate("FiveAxis", "What is left")
     try:
-        obj.Path = path
-        heights_of(obj)  # errors reach the caller; the recompute then finds the work done
+        with as_before(obj, ()):
+            if obj.Path is not path:
+                obj.Path = path
+            heights_of(obj)  # errors reach the caller; the recompute then finds the work done
         obj.touch()
         doc.recompute([obj])
     except BaseException:

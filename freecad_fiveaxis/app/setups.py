@@ -37,7 +37,8 @@ from freecad_fiveaxis.core.studies.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.studies.setup_map import list_marked_rows, verdict
 
 from . import changes, convert, wording
-from .long_work import is_open, listening, run, take_back
+from .labels import translate
+from .long_work import as_before, is_open, listening, run, take_back
 from .plain_errors import hide_trace
 from .properties import Property, default_value, property_name
 from .reports import write_report
@@ -141,28 +142,35 @@ def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
     if new:
         obj = doc.addObject("App::FeaturePython", "SetupMap")
         SetupMap(obj)
-        obj.Label = "Setup map"
+        obj.Label = translate("FiveAxis", "Setup map")
+    wanted = obj.Proxy.wants_trials
     try:
-        if fixtures != before:
-            path.Fixtures = fixtures
-        obj.Path = path
-        for leaf in LEAVES:
-            value = default_value(leaf)
-            setattr(
-                obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value
-            )
-        convert.put_options(obj, SETUP, options)
-        try_out(obj)
+        with as_before(obj, (*OWN, "Centre", "UpToDate")):
+            if fixtures != before:
+                path.Fixtures = fixtures
+            _put(obj, path, options)
+            try_out(obj)
         if fixtures != before:
             changes.compute(path)
         doc.recompute([obj])
     except BaseException:
         if new:
             take_back(doc, obj)
+        else:
+            obj.Proxy.wants_trials = wanted  # what it had is put back, and is no change
         if fixtures != before and is_open(doc):
             _hold_again(path, before, touched)
         raise
     return obj
+
+
+def _put(obj: Any, path: Any, options: Mapping[str, Any]) -> None:
+    """Give a map its toolpath and these options; one that is missing goes back to its default."""
+    obj.Path = path
+    for leaf in LEAVES:
+        value = default_value(leaf)
+        setattr(obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
+    convert.put_options(obj, SETUP, options)
 
 
 def _hold_again(path: Any, fixtures: list[Any], touched: bool) -> None:

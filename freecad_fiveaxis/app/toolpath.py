@@ -41,6 +41,8 @@ class Toolpath(Proxy):
     """Proxy of a toolpath."""
 
     last: results.Last | None
+    had_mesh = False
+    """Whether it had a mesh since its document was opened."""
 
     def _begin(self) -> None:
         self.last, self.seen = None, dict[str, compared.Seen]()
@@ -91,11 +93,13 @@ class Toolpath(Proxy):
     def onDocumentRestored(self, obj: Any) -> None:
         """Lock what its setup says."""
         super().onDocumentRestored(obj)
+        self.had_mesh = obj.Mesh is not None
         job_setup.follow(obj)
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Another setup has other values."""
         super().onChanged(obj, name)
+        self.had_mesh = self.had_mesh or (name == MESH.name and obj.Mesh is not None)
         if name == job_setup.LINK.name:
             job_setup.follow(obj)
 
@@ -120,7 +124,13 @@ def check_fixtures(obj: Any, fixtures: Any = None) -> list[Any]:
 
 
 def mesh_is_gone(obj: Any) -> SelectionError:
-    """Return what to say of a Toolpath whose mesh was deleted."""
+    """Return what to say of a Toolpath whose mesh was deleted, or that came into the document without it."""
+    if not getattr(obj.Proxy, "had_mesh", True):
+        text = say(
+            "{label} has no mesh: choose one in its property Mesh, or copy the path together with its mesh.",
+            label=obj.Label,
+        )
+        return SelectionError(text, obj.Label)
     text = say(
         "The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.",
         label=obj.Label,

@@ -2935,6 +2935,10 @@
         <translation>Aufspannung</translation>
     </message>
     <message>
+        <source>Setup map</source>
+        <translation>Aufspannkarte</translation>
+    </message>
+    <message>
         <source>Shank or holder collides</source>
         <translation>Schaft oder Halter kollidiert</translation>
     </message>
@@ -9894,6 +9898,10 @@
     <message>
         <source>{label} has changed since: try the setups again</source>
         <translation>{label} hat sich seither geändert: die Aufspannungen neu erproben</translation>
+    </message>
+    <message>
+        <source>{label} has no mesh: choose one in its property Mesh, or copy the path together with its mesh.</source>
+        <translation>{label} hat kein Netz: eines in der Eigenschaft Netz wählen oder die Werkzeugbahn mit ihrem Netz zusammen kopieren.</translation>
     </message>
     <message>
         <source>{label} has no model; add one in the Job's editor, or select the part itself</source>

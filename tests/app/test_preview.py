@@ -66,3 +66,17 @@ def test_a_mesh_is_taken_as_it_is(doc, dome):
     assert found.passes > 5 and [one.Name for one in doc.Objects] == ["Dome"]
     with pytest.raises(SelectionError, match="have no names"):
         app.preview_passes(dome, **FAST, avoid=["Face1"])
+
+
+def test_of_a_path_other_faces_count(doc):
+    part = doc.addObject("Part::Cone", "Cone")
+    part.Radius1, part.Radius2, part.Height = 12, 6, 6
+    doc.recompute()
+    (top,) = [f"Face{at + 1}" for at, one in enumerate(part.Shape.Faces) if one.CenterOfMass.z > 5.9]
+    path = app.create_toolpath(doc, part, **FAST, **UNCURED)
+    given = {**FAST, "cutter": "ball:6"}
+    whole, upper = app.preview_passes(path, **given), app.preview_passes(path, **given, faces=top)
+    assert whole.point[:, 2].min() < 5.0 and upper.point[:, 2].min() > 5.9
+    assert app.preview_passes(path, **given).passes == whole.passes
+    with pytest.raises(SelectionError, match="Face99"):
+        app.preview_passes(path, **given, faces=["Face99"])

@@ -239,3 +239,29 @@ def test_the_places_of_the_picture_are_those_of_the_map(slot):
     held = found.chart.point[found.chart.obstacle == Obstacle.HOLDER]
     assert np.isclose(held[:, 2], 10.0).all() and (np.abs(held[:, 0]) < 7.0 - 2.0).all()
     assert results.out_of_date(found and slot.Document.ReachMap) == ""
+
+
+def test_of_a_tool_path_other_faces_are_chosen_on_its_part(doc, slot):
+    path = app.create_toolpath(
+        doc,
+        floor(slot),
+        passes="planes",
+        stepover=6,
+        linear_deflection=0.1,
+        gouge="off",
+        linearize="off",
+        **TOOL,
+    )
+    as_it_is = app.reach_map(path)
+    assert as_it_is.Mesh is path.Mesh and as_it_is.WholeArea.Value == pytest.approx(14.0 * 160.0)
+    (top,) = [f"Face{at}" for at, face in enumerate(slot.Shape.Faces, 1) if abs(face.CenterOfMass.y) < 1e-6]
+    other = app.reach_map(path, faces=[top])
+    assert other.WholeArea.Value == pytest.approx(slot.Shape.Faces[int(top[4:]) - 1].Area)
+    assert other.Mesh is not path.Mesh and other.Mesh.Base[0] is slot and other.Holder == "40x30"
+    assert other.Mesh.LinearDeflection.Value == pytest.approx(0.1)
+    before = [one.Name for one in doc.Objects]
+    with pytest.raises(FiveAxisError, match="Face99"):
+        app.reach_map(path, faces=["Face99"])
+    with pytest.raises(FiveAxisError, match="Face99"):
+        app.reach_map(path, avoid="Face99")
+    assert [one.Name for one in doc.Objects] == before
