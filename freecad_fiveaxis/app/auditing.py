@@ -126,9 +126,9 @@ class Audit(Proxy):
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Of an earlier version only a cutter at its default was not given."""
-        said = FROM_PROGRAM.name not in obj.PropertiesList and not has_default_cutter(obj)
+        given = FROM_PROGRAM.name not in obj.PropertiesList and not has_default_cutter(obj)
         super().onDocumentRestored(obj)
-        if said:
+        if given:
             obj.CutterFromProgram = False
 
     @hide_trace

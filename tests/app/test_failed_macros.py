@@ -47,9 +47,9 @@ def test_a_path_that_came_without_its_mesh_does_not_say_that_this_was_deleted(do
     path, other = mapped[0], FreeCAD.newDocument("Other")
     try:
         copied = other.copyObject(path, False)
-        for asked in (results.result_of, app.left_map, app.reach_map):
+        for call in (results.result_of, app.left_map, app.reach_map):
             with pytest.raises(FiveAxisError, match="has no mesh: choose one"):
-                asked(copied)
+                call(copied)
         whole = other.copyObject(path, True)
         whole = whole[-1] if isinstance(whole, (tuple, list)) else whole
         assert whole.Mesh is not None
@@ -69,7 +69,7 @@ def test_the_names_of_maps_are_in_the_users_language(doc, ball, monkeypatch):
     for module in (rest, reach, setups):
         monkeypatch.setattr(module, "translate", lambda context, text: f"{context}: {text}")
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 6}, **UNCURED)
-    made = app.left_map(path), app.setup_map(path, **SMALL), app.reach_map(path)
-    assert [one.Label for one in made] == [
+    maps = app.left_map(path), app.setup_map(path, **SMALL), app.reach_map(path)
+    assert [one.Label for one in maps] == [
         f"FiveAxis: {text}" for text in ("What is left", "Setup map", "Reach map")
     ]

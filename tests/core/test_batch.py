@@ -222,7 +222,7 @@ def test_processes_find_one_thread_in_their_environment_before_they_import_anyth
     assert [os.environ.get(name) for name in crew.ONE_THREAD] == ["3", "1", "1"]
 
 
-def test_the_folder_of_a_jobs_files_is_made_where_it_is_not_there(parts, tmp_path, blank_pages):
+def test_a_missing_folder_of_a_jobs_files_is_created(parts, tmp_path, blank_pages):
     out = tmp_path / "new" / "out"
     job = plan.read_jobs(str(parts), dict(roofs.WAY), str(out))[0]
     assert not out.exists()
