@@ -35,8 +35,7 @@ def create_setup(doc: Any, job: Any = None, **settings: Any) -> Any:
 
     Settings: ``machine``, ``controller``, ``origin`` mm, ``tool_length`` mm, ``work_offset``, ``work_zero``
     mm; ``tools``, lines as "T3 ball:6:30 name", without them those of the CAM ``job``, or of the document's
-    first one. ``create_toolpath(..., setup=obj)`` links a path to it. Raises FiveAxisError, as SettingsError for
-    a work offset that the controller has not; then the document
+    first one. ``create_toolpath(..., setup=obj)`` links a path to it. Raises FiveAxisError; then the document
     is as it was.
     """
     from . import arguments
@@ -151,7 +150,8 @@ def audit(doc: Any, nc_path: Any, machine: str, **settings: Any) -> Any:
     Settings: ``controller``, ``tolerance`` mm, ``method``, ``origin``, ``tool_length``, and ``work_zero``,
     ``shank`` and ``holder`` for the drawing; ``part``: a solid or mesh of the document that the program is
     compared with, about that zero; ``cutter`` [that which the program names]; ``fixtures``: solids and meshes
-    of the document that hold the part, which the tool is checked against. Raises FiveAxisError; then the document is as it was.
+    of the document that hold the part, which the tool is checked against. Raises FiveAxisError;
+    then the document is as it was.
     """
     from . import arguments
     from .actions import audit as act
