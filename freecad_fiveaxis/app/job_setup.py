@@ -121,7 +121,7 @@ def create(doc: Any, settings: Mapping[str, Any], job: Any = None) -> Any:
         name: value for name, value in settings.items() if value is not None
     }
     zero, tools = options.pop("work_zero", None), options.pop("tools", None)
-    lines = None if tools is None else [check_tool(line) for line in names(tools)]
+    lines = None if tools is None else list(names(tools))
     obj = doc.addObject("App::FeaturePython", "Setup")
     try:
         JobSetup(obj)
@@ -190,29 +190,15 @@ def cutters_of(setup: Any) -> list[tool_bit.JobTool]:
     return [_tool(line) for line in setup.Tools if line.strip()]
 
 
-def check_tool(line: str) -> str:
-    """Return a line that is a tool. Raises SettingsError."""
-    _read_tool(line)
-    return line
-
-
-def _read_tool(line: str) -> tool_bit.JobTool:
-    number, text, label = _split(line)
-    if not number[1:].isdecimal():
-        raise SettingsError(
-            say("{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher", line=line), line
-        )
-    return tool_bit.JobTool(label or text, int(number[1:]), parse_cutter(text))
-
-
-def _split(line: str) -> list[str]:
-    return [*line.split(maxsplit=2), "", "", ""][:3]
-
-
 def _tool(line: str) -> tool_bit.JobTool:
-    number, _, label = _split(line)
+    number, text, label = [*line.split(maxsplit=2), "", ""][:3]
     try:
-        return _read_tool(line)
+        if not number[1:].isdecimal():
+            raise SettingsError(
+                say("{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher", line=line),
+                line,
+            )
+        return tool_bit.JobTool(label or text, int(number[1:]), parse_cutter(text))
     except SettingsError as error:
         return tool_bit.JobTool(
             label or line, int(number[1:]) if number[1:].isdecimal() else 0, None, wording.localize(error)

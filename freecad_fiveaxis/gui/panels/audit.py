@@ -73,7 +73,8 @@ class AuditPanel(PathPanel):
     def read_settings(self) -> dict[str, Any]:
         """Return what the form says, without a cutter that only the program has named."""
         settings = self.options.read_values()
-        return settings if settings.get("cutter") != self.named else settings | {"cutter": None}
+        by_program = self.named is not None and settings.get("cutter") == self.named
+        return settings | {"cutter": None} if by_program else settings
 
     def compute(self) -> Any:
         """Return a new Audit, or the one that is there with other settings."""
