@@ -49,8 +49,8 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
 
 
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
-    """Return the same for an Audit: its NC file and its settings; ``part``, ``fixtures`` and the cutter stay
-    unless they are given, and None as cutter is that which the program names. Raises FiveAxisError."""
+    """Return the same for an Audit: its NC file and its settings; ``part`` and ``fixtures`` stay unless
+    they are given; without a cutter that counts which the program names. Raises FiveAxisError."""
     options = {
         name: value for name, value in settings.items() if name not in ("work_zero", "part", "fixtures")
     }
@@ -62,8 +62,7 @@ def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
     if list(obj.Fixtures) != fixtures:
         obj.Fixtures = fixtures
     _put(obj, AUDIT, options, settings.get("work_zero"))
-    if "cutter" in options:
-        obj.CutterFromProgram = options["cutter"] is None
+    obj.CutterFromProgram = options.get("cutter") is None
     return compute(obj)
 
 

@@ -31,7 +31,7 @@ NEEDS_FILES = {"FiveAxis_ImportMachine-0", "FiveAxis_Recover-0"}
 FRAGMENTS = {"compare-0": "freecad_fiveaxis.core.studies.corrections"}
 """Lines of a table in a module, whose names are that module's."""
 OURS = {"app": "freecad_fiveaxis.app"}
-HANDED = {"doc", "path", "body", "solid", "executor", "my_function", "my_axes"}
+HANDED = {"doc", "path", "body", "solid", "executor", "my_function", "my_correction"}
 """What the text around the blocks speaks of."""
 
 

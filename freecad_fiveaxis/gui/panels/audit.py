@@ -71,9 +71,12 @@ class AuditPanel(PathPanel):
         self.seen = file, cutter.value()
 
     def read_settings(self) -> dict[str, Any]:
-        """Return what the form says, without a cutter that only the program has named."""
-        settings = self.options.read_values()
-        by_program = self.named is not None and settings.get("cutter") == self.named
+        """Return what the form says, without a cutter that only the program has named; one that was given for
+        the audit stays where the form has no use for it and hides it."""
+        settings, shown = self.options.read_values(), self.options.fields["cutter"].value()
+        if "cutter" not in settings and self.obj is not None and not self.obj.CutterFromProgram:
+            return settings | {"cutter": shown}
+        by_program = self.named is not None and shown == self.named
         return settings | {"cutter": None} if by_program else settings
 
     def compute(self) -> Any:
