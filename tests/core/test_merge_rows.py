@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.toolpath import merge_rows as merging
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
@@ -194,6 +195,8 @@ def test_between_the_rows_left_out_it_is_as_near():
     assert_near(finer, fine, merged, turned, BALL)
 
 
+ASIDE = 0.005 / (1.1 * ALLOWED.off)
+"""Along the surface a place may be as many times farther off than across it."""
 GUIDED = ToolPoints(5.0, 5.0, 0.0)
 """A ball whose tip goes straight: its hub swings with the axis."""
 
@@ -209,12 +212,13 @@ def jumps(degrees, seed, count=60):
 
 
 def largest_between(path, axis, pieces=16):
-    """How far, mm, places between the rows of a guided path are across its surface from the merged one."""
+    """How far, mm, places between the rows of a guided path are across its surface from the merged one,
+    or along it, where that counts ASIDE times less."""
     merged, turned = merged_by(path, axis, GUIDED, ALLOWED)
     given, _, _ = dense_motion(path, axis, GUIDED, pieces)
     near, _, _ = dense_motion(merged, turned, GUIDED, 4000)
-    off = [np.abs((near - one)[:, 2])[np.abs(near - one)[:, :2].max(axis=1) < 0.005] for one in given]
-    return max(one.min() for one in off if len(one))
+    scale = np.array([1.0 / ASIDE, 1.0 / ASIDE, 1.0])
+    return cKDTree(near * scale).query(given * scale, p=np.inf)[0].max()
 
 
 @pytest.mark.parametrize("degrees", [10.0, 29.0, 70.0])
