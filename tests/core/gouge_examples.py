@@ -170,14 +170,15 @@ def _spread(a, b, c, spacing):
 
 
 def sampled_depth(body, points, swept, block, samples=41):
-    """The depth (mm) of the deepest of ``points`` (n, 3) at densely sampled poses of one block."""
+    """The depth (mm) of the deepest of ``points`` (n, 3) at densely sampled poses of one block; 0 where none
+    is inside. Only those in the box about all poses are asked: about the stretches of the tool's axis between
+    the lowest and the highest disc of a piece, and as wide as its widest one."""
     pose = swept.pose(np.full(samples, block), np.linspace(0.0, 1.0, samples))
-    low, high = pose.tip.min(axis=1) - body.reach, pose.tip.max(axis=1) + body.reach
-    points = points[((points >= low) & (points <= high)).all(axis=1)]
-    return max(
-        depth_of(body, tip, axis, points).max(initial=0.0)
-        for tip, axis in zip(pose.tip.T, pose.axis.T, strict=True)
-    )
+    tip, axis = pose.tip.T, pose.axis.T
+    low, high = min(one.low for one in body.pieces), max(one.high for one in body.pieces)
+    ends, wide = np.concatenate([tip + low * axis, tip + high * axis]), max(one.widest for one in body.pieces)
+    points = points[((points >= ends.min(axis=0) - wide) & (points <= ends.max(axis=0) + wide)).all(axis=1)]
+    return max(depth_of(body, one, way, points).max(initial=0.0) for one, way in zip(tip, axis, strict=True))
 
 
 def brute_distance(mesh, place):

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mesh_shapes import box
-from test_machine_bodies import LENGTH, MACHINES, ORIGIN, TOOL, machine_file, moved, program_of
+from test_machine_bodies import LENGTH, MACHINES, ORIGIN, TOOL, machine_file, moved, program_of, skin_of
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
@@ -308,7 +308,7 @@ def test_of_a_machine_without_bodies_nothing_is_requested(monkeypatch):
 
 
 def places(machine, joints):
-    """Where each carrier stands in the machine frame (4, 4): from the base outwards; a table's axis moves
+    """Where each carrier stands in the machine frame (..., 4, 4): from the base outwards; a table's axis moves
     what it carries the other way."""
     found = {"base": np.eye(4)}
     for side, sign in (("table", -1.0), ("head", 1.0)):
@@ -322,27 +322,21 @@ def places(machine, joints):
 
 
 def depth_of(points, body):
-    """How deep the deepest of points (n, 3) mm is in a box."""
+    """How deep the deepest of points (..., 3) mm is in a box."""
     low, high = np.array(body.points)
-    return float(np.minimum(points - low, high - points).min(axis=1).max())
-
-
-def points_of(body):
-    """Points on a grid of the skin of a box."""
-    share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, 11),) * 3, indexing="ij"), -1).reshape(-1, 3)
-    low, high = np.array(body.points)
-    return low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
+    return float(np.minimum(points - low, high - points).min(axis=-1).max())
 
 
 def sampled_depth(machine, words, one, other, count=60):
     """How deep a point of each box is in the other at most, on a straight way of the joints."""
     zero, letters = words_at(machine, {})[0], chain(machine, SETUP).letters
+    share = np.linspace(0.0, 1.0, count)[:, None]
+    at = places(machine, dict(zip(letters, (words[0] + share * (words[1] - words[0]) - zero).T, strict=True)))
     deepest = -math.inf
-    for share in np.linspace(0.0, 1.0, count):
-        at = places(machine, dict(zip(letters, words[0] + share * (words[1] - words[0]) - zero, strict=True)))
-        for a, b in ((one, other), (other, one)):
-            seen = np.linalg.inv(at[b.carrier]) @ at[a.carrier]
-            deepest = max(deepest, depth_of(points_of(a) @ seen[:3, :3].T + seen[:3, 3], b))
+    for a, b in ((one, other), (other, one)):
+        seen = np.linalg.inv(at[b.carrier]) @ at[a.carrier]
+        points = skin_of(a, 11) @ seen[..., :3, :3].swapaxes(-1, -2) + seen[..., None, :3, 3]
+        deepest = max(deepest, depth_of(points, b))
     return deepest
 
 
@@ -405,7 +399,7 @@ def in_long_program(grids=True):
     """Which blocks of 400, to and fro, have a cradle in a wall: with grids, or block by block."""
     rng, motion = (
         np.random.default_rng(6),
-        CarriedMotion(steps_between(trunnion(), "base", "C"), convex_hull(points_of(CRADLE))),
+        CarriedMotion(steps_between(trunnion(), "base", "C"), convex_hull(skin_of(CRADLE, 11))),
     )
     joints = np.stack(
         [np.cumsum(rng.uniform(-0.1, 0.1, 401)), np.cumsum(rng.uniform(-0.3, 0.3, 401))], axis=1
@@ -413,7 +407,7 @@ def in_long_program(grids=True):
     with pytest.MonkeyPatch.context() as patch:
         if not grids:
             patch.setattr(body_search, "open_blocks", lambda pair, low, high: np.arange(len(low)))
-        pair = body_search.Pair(motion, convex_hull(points_of(wall(100.0))))
+        pair = body_search.Pair(motion, convex_hull(skin_of(wall(100.0), 11)))
         return body_search.find_meetings(pair, joints[:-1], joints[1:], True, 0.001).met
 
 

@@ -8,7 +8,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from mesh_shapes import box
-from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, TOOL, carriers, dense, frames, program_of
+from test_machine_bodies import (
+    LENGTH,
+    MACHINES,
+    NOSE,
+    ORIGIN,
+    TOOL,
+    carriers,
+    dense,
+    frames,
+    joints_at,
+    program_of,
+)
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
@@ -44,34 +55,29 @@ def codes(found):
     return [one.code for one in found]
 
 
-def tip_over_work(machine, q):
-    """Where the tip is seen from the work, by the test's own turns."""
-    carried, tool = frames(machine, q)
+def tip_over_work(machine, words, origin):
+    """Where the tip is seen from the work at words (..., 5), by the test's own turns: (..., 3) mm."""
+    carried, tool = frames(machine, joints_at(machine, words, origin))
     table = [axis.letter for axis in machine.fitted if axis.side == "table"]
     work = carried[table[0] if table else "base"]
-    tip = tool[:3, :3] @ (np.array(machine.gauge_point) - (0, 0, LENGTH)) + tool[:3, 3]
-    return work[:3, :3].T @ (tip - work[:3, 3])
+    gauge = np.array(machine.gauge_point) - (0, 0, LENGTH)
+    tip = tool[..., :3, :3] @ gauge + tool[..., :3, 3] - work[..., :3, 3]
+    return np.einsum("...ji,...j->...i", work[..., :3, :3], tip)
 
 
 def guided_way(machine, words, origin):
-    """The words at a share of a block: the rotary words evenly, the others such that the tip is on its
-    chord."""
-    kinematics = chain(machine, Setup(origin, LENGTH))
-    shift = np.linalg.solve(
-        kinematics.direction[:3].T, np.array(origin) - (np.array(machine.gauge_point) - (0, 0, LENGTH))
-    )
-
-    def tip(word):
-        joints = word + np.concatenate([shift, (0, 0)])
-        return tip_over_work(machine, dict(zip(kinematics.letters, joints, strict=True)))
-
-    ends = [tip(word) for word in words]
+    """The words (..., 5) at shares (...,) of a block: the rotary words evenly, the others such that the tip is
+    on its chord."""
+    ends = tip_over_work(machine, words, origin)
 
     def way(share):
+        share = np.asarray(share)[..., None]
         word = words[0] + share * (words[1] - words[0])
-        here = tip(word)
-        columns = [tip(word + np.eye(5)[j]) - here for j in range(3)]
-        word[:3] += np.linalg.solve(np.transpose(columns), ends[0] + share * (ends[1] - ends[0]) - here)
+        here = tip_over_work(machine, word, origin)
+        columns = np.swapaxes(tip_over_work(machine, word[..., None, :] + np.eye(3, 5), origin), -1, -2)
+        columns -= here[..., None]
+        off = ends[0] + share * (ends[1] - ends[0]) - here
+        word[..., :3] += np.linalg.solve(columns, off[..., None])[..., 0]
         return word
 
     return way
@@ -133,14 +139,14 @@ def test_what_linear_axes_carry_is_off_by_no_more_than_the_bound(name):
         )
         way = guided_way(machine, words, ORIGIN)
         for piece in range(0, len(passes.block), max(1, len(passes.block) // 6)):
-            for u in (0.25, 0.5, 0.75):
-                start, end = passes.in_step.words[piece], passes.in_step.words[piece + 1]
-                off = way(passes.begin[piece] + u * passes.width[piece]) - (start + u * (end - start))
-                assert np.abs(off[3:]).max() < 1e-9
-                for some in ((1, 1, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
-                    moved = np.linalg.norm((off[:3] * some) @ kinematics.direction[:3])
-                    worst = max(worst, moved)
-                    assert moved <= passes.off + 1e-9
+            u = np.array([0.25, 0.5, 0.75])
+            start, end = passes.in_step.words[piece], passes.in_step.words[piece + 1]
+            off = way(passes.begin[piece] + u * passes.width[piece]) - (start + u[:, None] * (end - start))
+            assert np.abs(off[:, 3:]).max() < 1e-9
+            for some in ((1, 1, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
+                moved = np.linalg.norm((off[:, :3] * some) @ kinematics.direction[:3], axis=1).max()
+                worst = max(worst, moved)
+                assert moved <= passes.off + 1e-9
     assert worst > 0.02 * SHARE * 4.0
 
 

@@ -2,9 +2,7 @@
 """Tool and spindle against bodies of the machine: by dense samples of the joints' way, with turns of their
 own, and by closed forms."""
 
-import functools
 import json
-import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -59,8 +57,8 @@ EYE.setflags(write=False)
 
 
 def frames(machine, q):
-    """Of each axis the place (4, 4) that it carries in the machine frame at joints ``q`` (letter: mm or deg),
-    and that of the tool.
+    """Of each axis the places (..., 4, 4) that it carries in the machine frame at joints ``q`` (letter: mm or
+    deg, (...,)), and those of the tool.
 
     From the base outwards; a table's axis moves what it carries the other way."""
     fitted = machine.fitted
@@ -75,54 +73,54 @@ def frames(machine, q):
 
 
 def moved(axis, by):
-    if axis.rotary:
-        return turned(tuple(axis.direction), tuple(axis.point), float(by))
-    found = EYE.copy()
-    found[:3, 3] = by * np.array(axis.direction)
+    """The places (..., 4, 4) to which an axis takes what it carries, by (...,) mm or deg."""
+    by = np.asarray(by, float)
+    found = np.tile(EYE, (*by.shape, 1, 1))
+    if not axis.rotary:
+        found[..., :3, 3] = by[..., None] * np.array(axis.direction)
+        return found
+    turn = Rotation.from_rotvec(np.radians(by)[..., None] * np.array(axis.direction)).as_matrix()
+    found[..., :3, :3], found[..., :3, 3] = turn, np.array(axis.point) - turn @ axis.point
     return found
 
 
-@functools.lru_cache(maxsize=256)
-def turned(direction, point, by):
-    """The turn (4, 4) by so many degrees about a line; the same for all places of the linear axes, so it is
-    kept, and nobody may change it."""
-    found = EYE.copy()
-    turn = Rotation.from_rotvec(math.radians(by) * np.array(direction)).as_matrix()
-    found[:3, :3], found[:3, 3] = turn, np.array(point) - turn @ point
-    found.setflags(write=False)
-    return found
+def joints_at(machine, words, origin=None):
+    """Of each letter the joints (...,), mm or deg, at words (..., 5) of a tool of ``LENGTH``."""
+    origin = ORIGIN if origin is None else origin
+    kinematics = chain(machine, Setup(origin, LENGTH))
+    gauge = np.array(machine.gauge_point) - (0, 0, LENGTH)
+    shift = np.linalg.solve(kinematics.direction[:3].T, np.array(origin) - gauge)
+    joints = np.asarray(words) + np.concatenate([shift, (0, 0)])
+    return dict(zip(kinematics.letters, np.moveaxis(joints, -1, 0), strict=True))
+
+
+def skin_of(body, count):
+    """Points (n, 3) mm on a grid of the skin of a box, so many along each edge."""
+    share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, count),) * 3, indexing="ij"), -1).reshape(-1, 3)
+    low, high = np.array(body.points)
+    return low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
 
 
 def dense(machine, words, body, count=160, way=None):
     """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints, or on
-    that which ``way`` gives at each share: by its points on a grid."""
-    setup = Setup(ORIGIN, LENGTH)
-    kinematics = chain(machine, setup)
-    shift = np.linalg.solve(
-        kinematics.direction[:3].T, np.array(ORIGIN) - (np.array(machine.gauge_point) - (0, 0, LENGTH))
+    that which ``way`` gives at shares (count,): by its points on a grid."""
+    share = np.linspace(0.0, 1.0, count)
+    carried, tool = frames(
+        machine,
+        joints_at(machine, words[0] + share[:, None] * (words[1] - words[0]) if way is None else way(share)),
     )
-    share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, 17),) * 3, indexing="ij"), -1).reshape(-1, 3)
-    low, high = np.array(body.points)
-    grid = low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
-    deepest = 0.0
-    for share in np.linspace(0.0, 1.0, count):
-        word = words[0] + share * (words[1] - words[0]) if way is None else way(share)
-        q = dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True))
-        carried, tool = frames(machine, q)
-        in_machine = grid @ carried[body.carrier][:3, :3].T + carried[body.carrier][:3, 3]
-        axis = tool[:3, :3] @ (0.0, 0.0, 1.0)
-        tip = tool[:3, :3] @ (np.array(machine.gauge_point) - (0, 0, LENGTH)) + tool[:3, 3]
-        off = in_machine - tip
-        height = off @ axis
-        across = np.linalg.norm(off - height[:, None] * axis, axis=1)
-        for bottom, top, radius in (
-            (RADIUS, 40.0, RADIUS),
-            (40.0, LENGTH, 15.0),
-            (LENGTH, LENGTH + 60.0, 35.0),
-        ):
-            inside = np.minimum(np.minimum(height - bottom, top - height), radius - across)
-            deepest = max(deepest, float(inside.max()))
-        deepest = max(deepest, float((RADIUS - np.linalg.norm(off - RADIUS * axis, axis=1)).max()))
+    place, gauge = carried[body.carrier], np.array(machine.gauge_point) - (0, 0, LENGTH)
+    seen = np.linalg.inv(tool) @ place
+    off = skin_of(body, 17) @ seen[..., :3, :3].swapaxes(-1, -2) + (seen[..., None, :3, 3] - gauge)
+    height, across = off[..., 2], np.hypot(off[..., 0], off[..., 1])
+    deepest = max(0.0, float((RADIUS - np.hypot(across, height - RADIUS)).max()))
+    for bottom, top, radius in (
+        (RADIUS, 40.0, RADIUS),
+        (40.0, LENGTH, 15.0),
+        (LENGTH, LENGTH + 60.0, 35.0),
+    ):
+        inside = np.minimum(np.minimum(height - bottom, top - height), radius - across)
+        deepest = max(deepest, float(inside.max()))
     return deepest
 
 

@@ -10,7 +10,18 @@ import pytest
 from mesh_shapes import box
 from plain import build_settings
 from test_axis_field import NODES, take_nodes
-from test_machine_bodies import EXAMPLE, LENGTH, NOSE, ORIGIN, RADIUS, TOOL, carriers, frames, program_of
+from test_machine_bodies import (
+    EXAMPLE,
+    LENGTH,
+    NOSE,
+    ORIGIN,
+    RADIUS,
+    TOOL,
+    carriers,
+    frames,
+    joints_at,
+    program_of,
+)
 
 from freecad_fiveaxis.core.geometry.convex import Poses, convex_hull, find_gaps
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -97,25 +108,17 @@ def test_one_branch_is_enough_and_a_limit_takes_it_away():
 def brute(machine, words, body, tool):
     """Gaps (n,) mm, by convex.py, of the tool's pieces and what the spindle carries to a box in every pose,
     with turns of the test's own; below 0: they are in each other."""
-    kinematics, pieces = chain(machine, Setup(ORIGIN, LENGTH)), tool.pieces
-    shift = np.linalg.solve(
-        kinematics.direction[:3].T, np.array(ORIGIN) - (np.array(machine.gauge_point) - (0, 0, LENGTH))
-    )
     tip = np.array(machine.gauge_point) - (0.0, 0.0, LENGTH)
     corner = np.array(np.meshgrid(*np.array(body.points).T, indexing="ij")).reshape(3, -1).T
-    turn, place = np.empty((len(words), 3, 3)), np.empty((len(words), 3))
-    for k, word in enumerate(words):
-        carried, tool_at = frames(
-            machine, dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True))
-        )
-        seen = np.linalg.inv(carried[body.carrier]) @ tool_at
-        turn[k], place[k] = seen[:3, :3], seen[:3, 3]
+    carried, tool_at = frames(machine, joints_at(machine, words))
+    seen = np.linalg.inv(carried[body.carrier]) @ tool_at
+    turn, place = seen[:, :3, :3], seen[:, :3, 3]
     none, up = np.zeros(len(words)), np.tile((0.0, 0.0, 1.0), (len(words), 1))
     gaps = [
         find_gaps(
             _tool_piece(piece, tuple(tip)), convex_hull(corner), Poses(turn, place), 0.0, none + 1e9, up
         )
-        for piece in pieces
+        for piece in tool.pieces
     ]
     return np.min([np.where(gap.met, -1.0, gap.least) for gap in gaps], axis=0)
 

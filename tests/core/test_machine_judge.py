@@ -7,12 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, RADIUS, carriers, checked, frames
+from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, RADIUS, carriers, checked, frames, joints_at
 
 from freecad_fiveaxis.core.gouge.machine_bodies import make_mesh
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 
 fcl = pytest.importorskip("fcl", reason="python-fcl is the judge")
 pytestmark = pytest.mark.slow
@@ -42,10 +41,7 @@ def stack(smaller):
 def hit_samples(machine, words, body, smaller):
     """How many of the samples of a straight way of the joints have the tool in the body, whose facets are a
     mesh."""
-    setup = Setup(ORIGIN, LENGTH)
-    kinematics = chain(machine, setup)
     gauge = np.array(machine.gauge_point) - (0, 0, LENGTH)
-    shift = np.concatenate([np.linalg.solve(kinematics.direction[:3].T, np.array(ORIGIN) - gauge), (0, 0)])
     mesh, model = make_mesh(body, np.zeros(3)), fcl.BVHModel()
     model.beginModel(len(mesh.vertex), len(mesh.face))
     model.addSubModel(mesh.vertex, mesh.face)
@@ -55,10 +51,10 @@ def hit_samples(machine, words, body, smaller):
         [(fcl.CollisionObject(shape), at) for shape, at in stack(smaller)],
     )
     hits = 0
-    for share in np.linspace(0.0, 1.0, SAMPLES):
-        joints = words[0] + share * (words[1] - words[0]) + shift
-        carried, tool = frames(machine, dict(zip(kinematics.letters, joints, strict=True)))
-        solid.setTransform(fcl.Transform(carried[body.carrier][:3, :3], carried[body.carrier][:3, 3]))
+    share = np.linspace(0.0, 1.0, SAMPLES)[:, None]
+    carried, tools_at = frames(machine, joints_at(machine, words[0] + share * (words[1] - words[0])))
+    for place, tool in zip(np.broadcast_to(carried[body.carrier], tools_at.shape), tools_at, strict=True):
+        solid.setTransform(fcl.Transform(place[:3, :3], place[:3, 3]))
         for one, at in tools:
             one.setTransform(fcl.Transform(tool[:3, :3], tool[:3, :3] @ (gauge + (0, 0, at)) + tool[:3, 3]))
         hits += any(

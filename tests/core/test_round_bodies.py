@@ -8,19 +8,19 @@ import numpy as np
 import pytest
 from mesh_shapes import box, sphere
 from plain import build_settings
-from test_machine_bodies import frames
+from test_machine_bodies import LENGTH, frames, joints_at, skin_of
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.links.raise_links import FINE, find_gaps, raise_links
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.machine.kinematics import forward
 from freecad_fiveaxis.core.motion.joint_path.rewind import ROUND
 from freecad_fiveaxis.core.pipeline import job, milling, options, round_bodies
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-LENGTH, RADIUS, LONG, TOP = 80.0, 3.0, 25.0, 10.0
+RADIUS, LONG, TOP = 3.0, 25.0, 10.0
 PADS = from_triangles(np.concatenate([box((-40, -15, 0), (-15, 15, TOP)), box((15, -15, 0), (40, 15, TOP))]))
 MILL = {
     "cutter": "ball:6:25",
@@ -80,32 +80,25 @@ def left_as_they_were(monkeypatch):
 def sampled_depth(machine, program, body, count=24):
     """How deep a point of the surface of the box ``body`` is in the cutter at most, on the straight way of the
     joints of every link and rapid: seen from the tool, by points on a grid."""
-    setup = Setup(machine.origin, LENGTH)
-    kinematics = chain(machine, setup)
     tip = np.array(machine.gauge_point) - (0.0, 0.0, LENGTH)
-    shift = np.linalg.solve(kinematics.direction[:3].T, np.array(machine.origin) - tip)
-    share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, 25),) * 3, indexing="ij"), -1).reshape(-1, 3)
-    low, high = np.array(body.points)
-    grid = low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
-    corner = np.stack(np.meshgrid(*np.transpose((low, high)), indexing="ij"), -1).reshape(-1, 3)
-    rows, deepest = 1 + np.flatnonzero(program.motion[1:] >= Motion.LINK), 0.0
-    for row in rows.tolist():
-        for share in np.linspace(0.0, 1.0, count):
-            words = program.words[row - 1] + share * (program.words[row] - program.words[row - 1])
-            q = dict(zip(kinematics.letters, words + np.concatenate([shift, (0.0, 0.0)]), strict=True))
-            carried, tool = frames(machine, q)
-            turn = tool[:3, :3].T @ carried[body.carrier][:3, :3]
-            away = tool[:3, :3].T @ (carried[body.carrier][:3, 3] - tool[:3, 3]) - tip
-            about = corner @ turn.T + away
-            if (about.min(axis=0) > (RADIUS, RADIUS, LONG)).any() or (
-                about.max(axis=0) < (-RADIUS, -RADIUS, 0.0)
-            ).any():
-                continue  # the box that holds it is off the one that holds the tool
-            off = grid @ turn.T + away
-            across, height = np.hypot(off[:, 0], off[:, 1]), off[:, 2]
-            shank = np.minimum(RADIUS - across, np.minimum(height - RADIUS, LONG - height))
-            ball = RADIUS - np.hypot(across, height - RADIUS)
-            deepest = max(deepest, float(np.maximum(shank, ball).max()))
+    grid, corner = skin_of(body, 25), skin_of(body, 2)
+    rows, share = 1 + np.flatnonzero(program.motion[1:] >= Motion.LINK), np.linspace(0.0, 1.0, count)
+    before = program.words[rows - 1]
+    words = before[:, None] + share[:, None] * (program.words[rows] - before)[:, None]
+    carried, tool = frames(machine, joints_at(machine, words.reshape(-1, 5), machine.origin))
+    seen = np.linalg.inv(tool) @ carried[body.carrier]
+    turn, away = seen[:, :3, :3].swapaxes(1, 2), seen[:, None, :3, 3] - tip
+    about = corner @ turn + away
+    apart = (about.min(axis=1) > (RADIUS, RADIUS, LONG)) | (about.max(axis=1) < (-RADIUS, -RADIUS, 0.0))
+    deepest = 0.0
+    for k in np.flatnonzero(
+        ~apart.any(axis=1)
+    ):  # the box that holds it is not off the one that holds the tool
+        off = grid @ turn[k] + away[k]
+        across, height = np.hypot(off[:, 0], off[:, 1]), off[:, 2]
+        shank = np.minimum(RADIUS - across, np.minimum(height - RADIUS, LONG - height))
+        ball = RADIUS - np.hypot(across, height - RADIUS)
+        deepest = max(deepest, float(np.maximum(shank, ball).max()))
     return deepest
 
 

@@ -64,27 +64,49 @@ def skin(body, step=3.0):
     return np.concatenate(points)
 
 
-def sampled(result, motion):
-    """Places of the tool's skin (b, k, 3) mm along the blocks with this motion, in batches."""
-    program, back = result.program, tip_to_driven(result.settings)
+def samples(result, motion):
+    """Blocks (n,) with this motion, and shares (n,) of them, close enough to each other."""
+    program = result.program
     words, blocks = program.words, np.flatnonzero(program.motion[1:] == motion)
     tip = gouge_judge.poses(result.kinematics, words, blocks, np.zeros(len(blocks)))[0]
     end = gouge_judge.poses(result.kinematics, words, blocks, np.ones(len(blocks)))[0]
     turn = np.abs(words[blocks + 1, 3:] - words[blocks, 3:]).max(axis=1)
     count = np.ceil(np.maximum(np.linalg.norm(end - tip, axis=1) / STEP, turn / TURN)).astype(int) + 2
-    block, u = gouge_judge.spread(blocks, count)
-    points = skin(tool_body(result.settings))
-    for some in np.array_split(np.arange(len(block)), len(block) // 500 + 1):
-        yield gouge_judge.placed(
-            points, *gouge_judge.poses(result.kinematics, words, block[some], u[some], back)
-        )
+    return gouge_judge.spread(blocks, count)
+
+
+def skin_at(result, block, u):
+    """Places of the tool's skin (n, k, 3) mm at shares (n,) of blocks (n,)."""
+    pose = gouge_judge.poses(
+        result.kinematics, result.program.words, block, u, tip_to_driven(result.settings)
+    )
+    return gouge_judge.placed(skin(tool_body(result.settings)), *pose)
+
+
+def batches(block, u):
+    """The same in batches of some 500."""
+    some = len(block) // 500 + 1
+    return zip(np.array_split(block, some), np.array_split(u, some), strict=True)
 
 
 def nearest_to_box(result):
     """How far (mm) the tool keeps off the part's box on rapids; negative inside, by so much as it is in from
-    the nearest side."""
+    the nearest side. The skin is no nearer than the box about all that is as near to the tool's axis as its
+    widest point: where that is nearest the skin is asked first, until none of the others can be nearer."""
+    (block, u), points = samples(result, Motion.RAPID), skin(tool_body(result.settings))
+    tip, axis = gouge_judge.poses(
+        result.kinematics, result.program.words, block, u, tip_to_driven(result.settings)
+    )
+    ends = [tip + height * axis for height in (points[:, 2].min(), points[:, 2].max())]
     low, high = result.mesh.box
-    return min(np.maximum(low - at, at - high).max(axis=2).min() for at in sampled(result, Motion.RAPID))
+    apart = np.maximum(low - np.maximum(*ends), np.minimum(*ends) - high).max(axis=1)
+    bound = apart - np.hypot(points[:, 0], points[:, 1]).max()
+    order, nearest = np.argsort(bound, kind="stable"), np.inf
+    for some in np.array_split(order, len(order) // 100 + 1):
+        if bound[some].min() < nearest:
+            at = skin_at(result, block[some], u[some])
+            nearest = min(nearest, np.maximum(low - at, at - high).max(axis=2).min())
+    return nearest
 
 
 def deepest_link(result):
@@ -92,7 +114,8 @@ def deepest_link(result):
     stays out. Of a closed part only what is in its box can be in it: nothing else is asked."""
     low, high = result.mesh.box
     deepest = 0.0
-    for at in sampled(result, Motion.LINK):
+    for some in batches(*samples(result, Motion.LINK)):
+        at = skin_at(result, *some)
         inside = at[((at >= low) & (at <= high)).all(axis=2)]
         if len(inside):
             deepest = max(deepest, -gouge_judge.distances(result.mesh, inside, signed=True).min())
