@@ -73,9 +73,9 @@ def straight_motion(
     """Return the swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines
     the point ``above`` mm over the tip (n, 3) mm. ``blocks`` (k,): it has only those, in their order, None:
     all."""
-    begin = np.arange(len(tips) - 1) if blocks is None else blocks
-    first, last = (_columns(axes[rows]) for rows in (begin, begin + 1))
-    start, end = (_columns(tips[rows]) for rows in (begin, begin + 1))
+    ends = (slice(None, -1), slice(1, None)) if blocks is None else (blocks, blocks + 1)
+    first, last = (_columns(axes[rows]) for rows in ends)
+    start, end = (_columns(tips[rows]) for rows in ends)
     if above:
         start, end = start + above * first, end + above * last
     way = end - start
