@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program.guided import Guided
 from freecad_fiveaxis.core.report import as_json, as_text, markers
-from freecad_fiveaxis.core.report.figures import axis_rates, summary
+from freecad_fiveaxis.core.report.figures import axis_rates, summary, worst_first
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.judgement import judge
 from freecad_fiveaxis.core.report.text import duration, facts, number, path_verdict
@@ -185,6 +185,15 @@ def test_ten_single_blocks_follow_the_one_for_all_worst_first():
         values = [one.value for one in group[1:]]
         assert values == sorted(values, reverse=True) and len({one.block for one in group[1:]}) == 10
     assert str(summary(figures)["over_tolerance"]) in figures.findings[0].text
+
+
+@pytest.mark.parametrize("most", [1, 2, 5, 40])
+def test_the_first_of_the_worst_are_those_of_all(most):
+    values = np.random.default_rng(4).integers(0, 6, 60).astype(float)  # many equals
+    values[[7, 30]] = np.nan
+    rows = np.arange(3, 50)
+    np.testing.assert_array_equal(worst_first(rows, values, most), worst_first(rows, values)[:most])
+    assert not len(worst_first(rows[:0], values, most))
 
 
 def test_only_the_bound_over_the_tolerance_is_a_warning():

@@ -52,6 +52,19 @@ def test_a_tip_that_swings_about_the_driven_point_bends_with_it(back):
     assert tip <= swept.bend_tip[0] + 1e-7 and axis * (1 - 1e-9) <= swept.bend_axis[0]
 
 
+@pytest.mark.parametrize("above", [0.0, 3.0])
+def test_some_blocks_alone_move_as_among_all(above):
+    rng, blocks = np.random.default_rng(3), np.array([1, 4, 5, 9])
+    tips, axes = rng.normal(size=(12, 3)), rng.normal(size=(12, 3))
+    axes /= np.linalg.norm(axes, axis=1)[:, None]
+    whole, some = straight_motion(tips, axes, above), straight_motion(tips, axes, above, blocks)
+    u = rng.random(len(blocks))
+    for one, other in zip(some.pose(np.arange(len(blocks)), u), whole.pose(blocks, u), strict=True):
+        np.testing.assert_array_equal(one, other)
+    np.testing.assert_array_equal(some.bend_tip, whole.bend_tip[blocks])
+    np.testing.assert_array_equal(some.bend_axis, whole.bend_axis[blocks])
+
+
 def test_random_blocks_bend_no_more_than_is_stated():
     rng, kinematics = np.random.default_rng(2), chain(load_machine("trunnion_ac"), Setup())
     words = np.cumsum(rng.normal(size=(31, 5)) * (8, 8, 8, 25, 12), axis=0)

@@ -282,17 +282,19 @@ class _Lifter:
         given, least = len(way.tip), (1.0 - ROOM) * self.aim
         for k in range(ROUNDS):
             self.going.round(k, ROUNDS)
-            swept, length = straight_motion(way.tip, way.axis, self.above), _aside(way)
-            blocks = np.flatnonzero(dirty & (length > least))
-            entries = find_entries(self.cutter, self.tree, swept, self.aim, ROUGHLY, blocks, self.going)
-            clear = dirty & (length > least) & (entries.bound <= self.aim + GRAZE * self.tolerance)
-            way = replace(way, clear=way.clear | (clear & (entries.depth == 0.0)))
-            blocks = np.flatnonzero(entries.depth > 0.0)
+            blocks = np.flatnonzero(dirty)
+            length = _aside(way, blocks)
+            blocks, length = blocks[length > least], length[length > least]
+            swept = straight_motion(way.tip, way.axis, self.above, blocks)
+            entries = find_entries(self.cutter, self.tree, swept, self.aim, ROUGHLY, progress=self.going)
+            clear, enters = way.clear.copy(), entries.depth > 0.0
+            clear[blocks] |= ~enters & (entries.bound <= self.aim + GRAZE * self.tolerance)
+            way = replace(way, clear=clear)
+            blocks, length, u = blocks[enters], length[enters], entries.u[enters]
             if not len(blocks) or len(way.tip) > MOST_ROWS * given + FEW:
                 break
-            u = entries.u[blocks]
             inner = np.minimum(u, 1.0 - u)
-            deepest = (k % 2 == 0) & (inner > INNER) & (inner * length[blocks] > least)
+            deepest = (k % 2 == 0) & (inner > INNER) & (inner * length > least)
             u = np.where(deepest, u, 0.5)  # before a wall only halving comes near it
             key = way.key[blocks] + u * (way.key[blocks + 1] - way.key[blocks])
             way, dirty = _put_in(way, blocks, self.rows(key, way.over[blocks] | way.over[blocks + 1]))
@@ -324,20 +326,21 @@ class _Lifter:
         """Return the rows (n,) from which the way up meets the part, in unbroken groups beside blocks to
         lifted rows that enter, or up to trapped ends."""
         lifted = np.flatnonzero(way.cuts & ~way.clear & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
-        swept = straight_motion(way.tip, way.axis, self.above)
-        enters = which_enter(self.cutter, self.tree, swept, self.aim, lifted, self.going)
-        blocks = lifted[enters[lifted]]
+        swept, each = straight_motion(way.tip, way.axis, self.above, lifted), np.arange(len(lifted))
+        blocks = lifted[which_enter(self.cutter, self.tree, swept, self.aim, each, self.going)]
         beside = blocks + (way.lift[blocks] > way.lift[blocks + 1])
         rows = np.concatenate([beside, self.find_trapped(way)])
         return under_with(self.cutter, self.tree, way.tip, way.axis, way.cuts, rows, self.aim, self.going)
 
 
-def _aside(way: _LiftedPath) -> Floats:
-    """How far (n - 1,) mm the tool goes at most in each block, but for what it is lifted: along the way
-    given, and by the turn of its axis at its height above that."""
-    given = np.linalg.norm(np.diff(way.tip - way.lift[:, None] * way.axis, axis=0), axis=1)
-    turn = np.linalg.norm(np.diff(way.axis, axis=0), axis=1)
-    return np.asarray(given + np.maximum(way.lift[1:], way.lift[:-1]) * turn)
+def _aside(way: _LiftedPath, blocks: Ints) -> Floats:
+    """How far (k,) mm the tool goes at most in each of these blocks (k,), but for what it is lifted: along
+    the way given, and by the turn of its axis at its height above that."""
+    (start, first, low), (end, last, high) = (
+        (way.tip[rows], way.axis[rows], way.lift[rows]) for rows in (blocks, blocks + 1)
+    )
+    given = np.linalg.norm((end - high[:, None] * last) - (start - low[:, None] * first), axis=1)
+    return np.asarray(given + np.maximum(high, low) * np.linalg.norm(last - first, axis=1))
 
 
 def _put_in(way: _LiftedPath, blocks: Ints, rows: _Rows) -> tuple[_LiftedPath, Bools]:

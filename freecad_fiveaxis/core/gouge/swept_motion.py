@@ -67,12 +67,18 @@ class SweptMotion:
         return len(self.bend_tip)
 
 
-def straight_motion(tips: Floats, axes: Floats, above: float = 0.0) -> SweptMotion:
+def straight_motion(
+    tips: Floats, axes: Floats, above: float = 0.0, blocks: Ints | None = None
+) -> SweptMotion:
     """Return the swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines
-    the point ``above`` mm over the tip (n, 3) mm."""
-    points = tips + above * axes if above else tips
-    start, way = _columns(points[:-1]), _columns(np.diff(points, axis=0))
-    first, last = _columns(axes[:-1]), _columns(axes[1:])
+    the point ``above`` mm over the tip (n, 3) mm. ``blocks`` (k,): it has only those, in their order, None:
+    all."""
+    ends = (slice(None, -1), slice(1, None)) if blocks is None else (blocks, blocks + 1)
+    first, last = (_columns(axes[rows]) for rows in ends)
+    start, end = (_columns(tips[rows]) for rows in ends)
+    if above:
+        start, end = start + above * first, end + above * last
+    way = end - start
     angle = 2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(last - first, axis=0), 1.0))
     across, length = _across(first, last)
 

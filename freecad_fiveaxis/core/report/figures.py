@@ -137,7 +137,7 @@ class Figures:
         controller guides."""
         guided = self.program.guided
         measured = self.feeds if guided is None else self.feeds[~guided.on[self.feeds]]
-        return worst_first(measured, self.judged.segment)[:WORST]
+        return worst_first(measured, self.judged.segment, WORST)
 
     @cached_property
     def tip(self) -> Floats:
@@ -198,10 +198,14 @@ def travel(program: Program) -> Floats:
     return moved.T
 
 
-def worst_first(rows: Ints, values: Floats) -> Ints:
+def worst_first(rows: Ints, values: Floats, most: int | None = None) -> Ints:
     """``rows`` by their ``values`` (m,), NaN and then the largest first, the earlier block first among
-    equals."""
-    return rows[np.argsort(-np.nan_to_num(values[rows], nan=np.inf), kind="stable")]
+    equals; only the first ``most`` (at least 1), None: all."""
+    key = -np.nan_to_num(values[rows], nan=np.inf)
+    if most is not None and len(rows) > most:  # no need to sort a million for the first of them
+        some = np.flatnonzero(key <= np.partition(key, most - 1)[most - 1])
+        rows, key = rows[some], key[some]
+    return rows[np.argsort(key, kind="stable")][:most]
 
 
 def axis_rates(program: Program) -> Floats:
@@ -275,7 +279,7 @@ def _name_worst_lines(figures: Figures) -> dict[str, int | None]:
         "max_axis_deviation_deg": (deviation.axis, figures.feeds),
         "max_rapid_deviation": (deviation.segment, rapids),
     }
-    first = {name: worst_first(rows, values)[:1] for name, (values, rows) in columns.items()}
+    first = {name: worst_first(rows, values, 1) for name, (values, rows) in columns.items()}
     return {
         name: int(program.line[row[0]]) if len(row) and columns[name][0][row[0]] != 0.0 else None
         for name, row in first.items()

@@ -250,7 +250,7 @@ def _note_harmless(
     program: Program, deviation: Deviation, singularity: Singularity, turned: Floats, rows: Ints
 ) -> list[Finding]:
     """One note about the feed blocks ``rows``, at the one that turns farthest."""
-    row = int(worst_first(rows, turned)[0])
+    row = int(worst_first(rows, turned, 1)[0])
     text = say(
         "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than "
         "the tool leans: most in NC line {line}, where {turns}. Each holds the tolerance by proof, and no "
@@ -271,7 +271,7 @@ def _turns_at_pole(
     if programmed is None or not len(rows):
         return []
     turned = np.abs(travel(program)[:, 3])
-    row, whole = int(worst_first(rows, turned)[0]), float(turned[rows].sum())
+    row, whole = int(worst_first(rows, turned, 1)[0]), float(turned[rows].sum())
     kept = float(measure_kept(kinematics, program, rows, programmed)[0].min())
     text = say(
         "{letter} turns {whole} in all in {blocks} in which the tool stands at the pole, along the {letter} "
