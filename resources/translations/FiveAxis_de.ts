@@ -2783,8 +2783,8 @@
         <translation>„Berechnen“ zeigt, was diese Einstellungen ergeben.</translation>
     </message>
     <message>
-        <source>Preview for the CAM workbench</source>
-        <translation>Vorschau für den Arbeitsbereich CAM</translation>
+        <source>Preview for CAM</source>
+        <translation>Vorschau für CAM</translation>
     </message>
     <message>
         <source>Preview passes</source>
@@ -3655,10 +3655,6 @@
         <translation>um die Achse</translation>
     </message>
     <message>
-        <source>as many as take some seconds</source>
-        <translation>so viele, wie einige Sekunden dauern</translation>
-    </message>
-    <message>
         <source>as the file says</source>
         <translation>wie die Datei sagt</translation>
     </message>
@@ -3677,6 +3673,10 @@
     <message>
         <source>automatic</source>
         <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>automatic (some seconds)</source>
+        <translation>automatisch (Sekunden)</translation>
     </message>
     <message>
         <source>away from the rotary axis</source>
@@ -3928,7 +3928,7 @@
     </message>
     <message>
         <source>least deviation (minimax)</source>
-        <translation>kleinste Abweichung (minimax)</translation>
+        <translation>kleinste Abw. (minimax)</translation>
     </message>
     <message>
         <source>least increment</source>
