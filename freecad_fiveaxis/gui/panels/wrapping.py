@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from freecad_fiveaxis.gui.qt import QtWidgets
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
 SPACING = 3
 """Pixels between them."""
@@ -36,6 +36,11 @@ class WrappingRow(QtWidgets.QWidget):
         """Place them anew where the width asks for it."""
         super().resizeEvent(event)
         self._place()
+
+    def minimumSizeHint(self) -> Any:
+        """As narrow as the widest of them, however they stand now: else a panel could not become narrower."""
+        widest = max((one.minimumSizeHint().width() for one in self.widgets), default=0)
+        return QtCore.QSize(widest, super().minimumSizeHint().height())
 
     def _place(self) -> None:
         """Move each to its line; nothing is done where all stand so already."""
