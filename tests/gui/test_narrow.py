@@ -71,6 +71,7 @@ OPENED = {
     "reach": reach.create,
 }
 OF_PATH = {
+    "calculated": toolpath.edit,
     "compare": compare.create,
     "post": post.write,
     "play": open_player,
