@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from freecad_fiveaxis.app.decimal_sign import write_number
 from freecad_fiveaxis.gui.panels.wrapping import SPACING, WrappingRow
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.wheel import leave_wheel
@@ -103,7 +104,7 @@ class Controls:
         box.setObjectName("speed")
         box.setToolTip(translate("FiveAxis", "Speed, in times of real time"))
         for speed in SPEEDS:
-            box.addItem(f"× {speed:g}", speed)
+            box.addItem(f"× {write_number(f'{speed:g}')}", speed)
         box.setCurrentIndex(SPEEDS.index(1.0))
         leave_wheel(box)
         return box

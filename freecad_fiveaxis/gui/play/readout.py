@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.decimal_sign import write_number
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.base.findings import Finding, Hit
 from freecad_fiveaxis.core.base.sentences import say
@@ -199,8 +200,9 @@ def joint_text(word: float, rotary: bool) -> str:
     """Return a joint in degrees, or in the user's unit of length, with the digits that the machine is
     told."""
     if rotary:
-        return f"{word:.4f}°"
-    return f"{word / INCH:.5f} in" if inches() else f"{word:.4f} mm"
+        return write_number(f"{word:.4f}") + "°"
+    number, unit = (f"{word / INCH:.5f}", "in") if inches() else (f"{word:.4f}", "mm")
+    return f"{write_number(number)} {unit}"
 
 
 def _distance(mm: float) -> str:
