@@ -46,9 +46,8 @@ class PostPanel:
         self.reports = {kind: QtWidgets.QCheckBox(text) for kind, text in _report_texts().items()}
         self.preview = QtWidgets.QCheckBox(translate("FiveAxis", "Preview for CAM"))
         self.verdict, self.poor = VerdictLabel("post_verdict"), QtWidgets.QLabel()
-        self.file.editor.textChanged.connect(
-            self.file.editor.setToolTip
-        )  # of which the box shows but the end
+        self.file.editor.setAccessibleDescription(self.file.editor.toolTip())
+        self.file.editor.textChanged.connect(self.file.editor.setToolTip)  # the box shows but the end
         self.spindle = None if path.Spindle else option_field(_spindle_leaf())
         self.form = self._widget()
         self._show_poor()
