@@ -27,6 +27,7 @@ class WrappingRow(QtWidgets.QWidget):
         self.lines = [QtWidgets.QHBoxLayout() for _ in widgets]
         for line, one in zip(self.lines, widgets, strict=True):
             line.setSpacing(SPACING)
+            one.resize(one.sizeHint())  # until it is laid out, when it is shown: Qt begins with 640 by 480
             line.addWidget(one, self.stretch)
             if not stretched:
                 line.addStretch()
