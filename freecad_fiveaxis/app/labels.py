@@ -272,7 +272,7 @@ def _choices() -> dict[str, str]:
         "from_axis": translate("FiveAxis", "away from the rotary axis"),
         "zigzag": translate("FiveAxis", "zigzag"),
         "one_way": translate("FiveAxis", "one way"),
-        "near": translate("FiveAxis", "near the part where it is free"),
+        "near": translate("FiveAxis", "near the part where free"),
         "machine": translate("FiveAxis", "the machine's own"),
         "interpolated": translate("FiveAxis", "in proportion"),
         "independent": translate("FiveAxis", "each axis alone"),

@@ -28,6 +28,8 @@ from freecad_fiveaxis.core.base.sentences import (
     format_number,
 )
 
+from .decimal_sign import write_number
+
 INCH = 25.4
 DIGITS = 4
 ROUNDING = 1e-9
@@ -57,10 +59,14 @@ def measure_text(measure: Measure) -> str:
     extra = max(power, 0) if inch else 0
     places = most + extra if decimals is None else min(decimals, most) + extra
     whole = measure.form == IN_FULL
-    numbers = measure.between.join(
-        format_number(value / factor, IN_FULL) if whole else number_text(value / factor, digits, places)
+    texts = [
+        write_number(
+            format_number(value / factor, IN_FULL) if whole else number_text(value / factor, digits, places)
+        )
         for value in measure.values
-    )
+    ]
+    between = measure.between.replace(",", ";") if "," in "".join(texts) else measure.between
+    numbers = between.join(texts)
     unit = NAMES.get(kind, "{}").format("in" if inch else "mm") if kind in DECIMALS else measure.unit
     numbers = f"({numbers})" if isinstance(measure, Point) else numbers
     return numbers + ("" if unit == "°" else " ") + unit

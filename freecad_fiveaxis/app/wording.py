@@ -9,6 +9,7 @@ import FreeCAD
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.base.sentences import render
 
+from .decimal_sign import write_number
 from .labels import name_of
 from .units import measure_text
 
@@ -17,4 +18,6 @@ def localize(text: str | BaseException) -> str:
     """Give a sentence, or the message of an error, as the user reads it; any other text as it is."""
     if isinstance(text, FiveAxisError):
         text = text.text
-    return render(text, FreeCAD.Qt.translate, measure_text, name_of) if isinstance(text, str) else str(text)
+    if not isinstance(text, str):
+        return str(text)
+    return render(text, FreeCAD.Qt.translate, measure_text, name_of, write_number)

@@ -16,7 +16,7 @@ from .qt import translate
 from .scene import nodes, overlay
 from .scene.on_screen import LegendBox
 from .scene.reach_nodes import COLOURS, SHARE, patches, reach_axes, reach_surface
-from .scene.units import area_text
+from .scene.units import area_text, write_number
 from .view_properties import rgb
 from .waiting import find_for_drawing
 
@@ -42,7 +42,7 @@ def area_lines(obj: Any) -> list[tuple[Obstacle, str, str, str]]:
     whole = max(obj.WholeArea.Value, 1e-30)
     areas = [(reason, getattr(obj, name).Value) for reason, name in reach.AREAS.items()]
     return [
-        (reason, reason_text(reason), area_text(area), f"{100.0 * area / whole:.1f} %")
+        (reason, reason_text(reason), area_text(area), write_number(f"{100.0 * area / whole:.1f}") + " %")
         for reason, area in areas
         if area > 0.0
     ]
@@ -108,5 +108,7 @@ class ReachPicture:
             return overlay.Legend(self.obj.Label, np.zeros((0, 3)), (), ("", ""), (), (), self.warned)
         lines = area_lines(self.obj)
         keys = [(COLOURS[reason], f"{words}: {area} ({share})") for reason, words, area, share in lines]
-        gist = translate("FiveAxis", "{share} % reached").format(share=f"{self.obj.ReachableShare:.1f}")
+        gist = translate("FiveAxis", "{share} % reached").format(
+            share=write_number(f"{self.obj.ReachableShare:.1f}")
+        )
         return overlay.Legend(self.obj.Label, np.zeros((0, 3)), (), ("", ""), keys, (), self.warned, gist)

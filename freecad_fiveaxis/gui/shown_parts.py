@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import view_providers
+from .panels.wrapping import WrappingRow
 from .qt import QtWidgets, translate
 
 MARKERS = "ShowMarkers"
@@ -66,22 +67,19 @@ def add_fold(menu: Any, vobj: Any) -> None:
 class ShownParts(QtWidgets.QGroupBox):
     """The switches of one path, for its panel; hidden while there is no path."""
 
-    COLUMNS = 2
-
     def __init__(self) -> None:
         super().__init__(translate("FiveAxis", "Shown in the view"))
         self.setObjectName("shown_parts")
         self.path: Any = None
         self.boxes: dict[str, Any] = {}
-        grid = QtWidgets.QGridLayout(self)
-        grid.setContentsMargins(6, 6, 6, 4)
-        grid.setVerticalSpacing(0)
-        for at, (part, name) in enumerate(part_names().items()):
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(6, 6, 6, 4)
+        for part, name in part_names().items():
             box = QtWidgets.QCheckBox(name)
             box.setObjectName(part)
             box.clicked.connect(lambda *_, part=part, box=box: show_part(self.path, part, box.isChecked()))
-            grid.addWidget(box, *divmod(at, self.COLUMNS))
             self.boxes[part] = box
+        column.addWidget(WrappingRow(tuple(self.boxes.values())))
         self.show_for(None)
 
     def show_for(self, path: Any) -> None:

@@ -6,7 +6,9 @@ from __future__ import annotations
 
 import FreeCADGui
 
-from .qt import QT_TRANSLATE_NOOP, icon
+from freecad_fiveaxis.app.decimal_sign import use_decimal_sign
+
+from .qt import QT_TRANSLATE_NOOP, QtCore, icon
 
 TITLE = QT_TRANSLATE_NOOP("Workbench", "Five-axis")
 MACHINES = QT_TRANSLATE_NOOP("Workbench", "Five-axis machines")
@@ -50,6 +52,7 @@ def start() -> None:
     from . import attach, commands, failures, preferences
 
     failures.watch()
+    use_decimal_sign(lambda: str(QtCore.QLocale().decimalPoint()))
     FreeCADGui.addWorkbench(FiveAxisWorkbench())
     commands.register()
     preferences.register()

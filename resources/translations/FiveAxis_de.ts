@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; machine: as the machine file says</source>
-        <translation>Wie die Steuerung ihre Achsen im Eilgang bewegt: alle gemeinsam, jede mit eigener Geschwindigkeit oder unbekannt; machine: wie es in der Maschinendatei steht</translation>
+        <translation>Wie die Steuerung ihre Achsen im Eilgang bewegt: alle gemeinsam, jede mit eigener Geschwindigkeit oder unbekannt; „die der Maschine“: wie es in der Maschinendatei steht</translation>
     </message>
     <message>
         <source>How the deviation from the line is computed: exactly, or by the model of So et al. 2008</source>
@@ -921,7 +921,7 @@
     </message>
     <message>
         <source>Point of the axis that radial passes radiate from and rotary ones turn about: X,Y,Z, or middle (of what is cut; rotary: of the machine's only rotary axis, else of the part)</source>
-        <translation>Punkt der Achse, von der radiale Bahnen ausgehen und um die rotierende laufen: X,Y,Z oder middle (Mitte dessen, was bearbeitet wird; rotierend: der einzigen Rundachse der Maschine, sonst des Werkstücks)</translation>
+        <translation>Punkt der Achse, von der radiale Bahnen ausgehen und um die rotierende laufen: X,Y,Z oder Mitte (middle) dessen, was bearbeitet wird ( rotierend: der einzigen Rundachse der Maschine, sonst des Werkstücks)</translation>
     </message>
     <message>
         <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
@@ -1537,11 +1537,11 @@
     </message>
     <message>
         <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve (or these, a ; between two)</source>
-        <translation>Wo Bahnen gleicher Kuppenhöhe und Übergangsbahnen beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve (oder diese selbst, ein ; zwischen zweien)</translation>
+        <translation>Wo Bahnen gleicher Kuppenhöhe und Übergangsbahnen beginnen: Rand (border) des Bereichs, X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve (oder diese selbst, ein ; zwischen zweien)</translation>
     </message>
     <message>
         <source>Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve (or these, a ; between two)</source>
-        <translation>Wo Übergangsbahnen enden: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve (oder diese selbst, ein ; zwischen zweien)</translation>
+        <translation>Wo Übergangsbahnen enden: Rand (border) des Bereichs, X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve (oder diese selbst, ein ; zwischen zweien)</translation>
     </message>
     <message>
         <source>Where something stays unfinished, try what would finish more, and name it</source>
@@ -2791,8 +2791,8 @@
         <translation>„Berechnen“ zeigt, was diese Einstellungen ergeben.</translation>
     </message>
     <message>
-        <source>Preview for the CAM workbench</source>
-        <translation>Vorschau für den Arbeitsbereich CAM</translation>
+        <source>Preview for CAM</source>
+        <translation>Vorschau für CAM</translation>
     </message>
     <message>
         <source>Preview passes</source>
@@ -3667,10 +3667,6 @@
         <translation>um die Achse</translation>
     </message>
     <message>
-        <source>as many as take some seconds</source>
-        <translation>so viele, wie einige Sekunden dauern</translation>
-    </message>
-    <message>
         <source>as the file says</source>
         <translation>wie die Datei sagt</translation>
     </message>
@@ -3689,6 +3685,10 @@
     <message>
         <source>automatic</source>
         <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>automatic (some seconds)</source>
+        <translation>automatisch (Sekunden)</translation>
     </message>
     <message>
         <source>away from the rotary axis</source>
@@ -3717,6 +3717,10 @@
     <message>
         <source>beyond the machine's limits</source>
         <translation>außerhalb der Maschinengrenzen</translation>
+    </message>
+    <message>
+        <source>border</source>
+        <translation>Rand</translation>
     </message>
     <message>
         <source>box</source>
@@ -3940,7 +3944,7 @@
     </message>
     <message>
         <source>least deviation (minimax)</source>
-        <translation>kleinste Abweichung (minimax)</translation>
+        <translation>kleinste Abw. (minimax)</translation>
     </message>
     <message>
         <source>least increment</source>
@@ -4003,6 +4007,10 @@
         <translation>Volumenkörper vernetzen</translation>
     </message>
     <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -4019,7 +4027,7 @@
         <translation>Übergang zwischen zwei Kurven</translation>
     </message>
     <message>
-        <source>near the part where it is free</source>
+        <source>near the part where free</source>
         <translation>nahe am Werkstück</translation>
     </message>
     <message>

@@ -181,3 +181,17 @@ def test_a_face_is_picked_as_boundary_and_an_edge_as_guide(
     )
     assert panel.options.fields["boundary"].value() == text
     panel.reject()
+
+
+def test_the_words_of_a_place_are_those_of_the_users_language(german, panel):
+    for name, word, local in (("from_", "border", "Rand"), ("pass_centre", "middle", "Mitte")):
+        place = panel.options.fields[name]
+        place.show_value(word)
+        assert place.line.text() == local and place.value() == word
+        place.line.setText(word)
+        assert place.value() == word
+        place.show_value("1,2,3")
+        assert place.line.text() == "1,2,3" == place.value()
+    hint = panel.options.fields["rapids"].editor.toolTip()
+    assert "machine:" not in hint and "„die der Maschine“" in hint
+    panel.reject()

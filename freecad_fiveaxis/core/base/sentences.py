@@ -192,6 +192,8 @@ Units = Callable[[Measure], str]
 """A measure -> its text in the user's units."""
 Names = Callable[[Option | Choice | Task], str]
 """A setting, choices or a task -> what the window calls it."""
+Numbers = Callable[[Number], str]
+"""A plain number -> its text."""
 
 
 class Sentence(str):
@@ -265,25 +267,27 @@ class Part:
         raise NotImplementedError
 
 
-def render(text: str, translate: Translate, units: Units, names: Names = str) -> str:
-    """Return a sentence in another language, other units and a window's names. A text that is no sentence
-    comes back as it is."""
+def render(text: str, translate: Translate, units: Units, names: Names = str, numbers: Numbers = str) -> str:
+    """Return a sentence in another language, other units, a window's names and its way to write numbers.
+    A text that is no sentence comes back as it is."""
     if not isinstance(text, Sentence):
         return text
     template = translate(CONTEXT, text.template) if text.translated else text.template
     return template.format_map(
-        {name: _render_value(value, translate, units, names) for name, value in text.values.items()}
+        {name: _render_value(value, translate, units, names, numbers) for name, value in text.values.items()}
     )
 
 
-def _render_value(value: Any, translate: Translate, units: Units, names: Names) -> str:
+def _render_value(value: Any, translate: Translate, units: Units, names: Names, numbers: Numbers) -> str:
+    if isinstance(value, Number):
+        return numbers(value)
     if isinstance(value, Option | Choice | Task):
         return names(value)
     if isinstance(value, Part):
-        return value.render(lambda text: render(text, translate, units, names), translate)
+        return value.render(lambda text: render(text, translate, units, names, numbers), translate)
     if isinstance(value, Measure):
         return units(value)
-    return render(value, translate, units, names) if isinstance(value, str) else str(value)
+    return render(value, translate, units, names, numbers) if isinstance(value, str) else str(value)
 
 
 def _value(value: Any) -> Any:

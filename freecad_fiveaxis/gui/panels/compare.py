@@ -19,6 +19,7 @@ from .choosers import has_head
 from .fields import QuantityField
 from .fixtures import FixturesField
 from .lines import error_line
+from .panel_widget import MARGIN
 from .path_panel import show
 from .toolpath import find_milled_solid
 
@@ -66,6 +67,7 @@ class ComparePanel:
         )
         note.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(widget)
+        column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         column.addWidget(self.calculate_button)
         column.addWidget(self.error)
         column.addWidget(QtWidgets.QLabel(translate("FiveAxis", "Machines")))

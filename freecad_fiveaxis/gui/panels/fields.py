@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app.decimal_sign import write_number
 from freecad_fiveaxis.app.labels import option_label
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
@@ -219,7 +220,7 @@ class FeedField(Field):
 
     def words(self) -> str:
         """As in a program, with its unit: ``F 1000 mm/min``."""
-        return f"F {self.editor.value():g}{self.editor.suffix()}"
+        return f"F {write_number(f'{self.editor.value():g}')}{self.editor.suffix()}"
 
 
 def feed_unit() -> tuple[str, float]:

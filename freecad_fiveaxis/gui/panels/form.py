@@ -343,7 +343,7 @@ def _plain(leaf: Any) -> Field:
     choices = [(name, choice_label(name)) for name in leaf.metadata["choices"]]
     none_text = translate("FiveAxis", "as the machine file says") if leaf.default is None else ""
     if leaf.metadata["kind"] == "counts":
-        none_text = translate("FiveAxis", "as many as take some seconds")
+        none_text = translate("FiveAxis", "automatic (some seconds)")
     field = option_field(leaf, choices, none_text)
     if choices:
         field.explain({name: choice_hint(leaf.name, name) for name, _ in choices})

@@ -158,8 +158,9 @@ class PlaceField(TextField):
         )
 
     def value(self) -> str:
-        """Show the text."""
-        return str(self.line.text()).strip()
+        """Return the text as job files have it, its words in the core's language."""
+        text = str(self.line.text()).strip()
+        return next((word for word, local in _words().items() if text == local), text)
 
     def show_value(self, value: str | None) -> None:
         """Show the text, as typed."""
@@ -176,8 +177,13 @@ class PlaceField(TextField):
             show_link(self.picker, self.link)
 
     def _show(self, value: str | None) -> None:
-        self.line.setText(value or "")
+        self.line.setText(_words().get(value or "", value or ""))
         self.line.setCursorPosition(0)
+
+
+def _words() -> dict[str, str]:
+    """Return the words that stand for a place, and what they are in the user's language."""
+    return {"border": translate("FiveAxis", "border"), "middle": translate("FiveAxis", "middle")}
 
 
 class AxisField(TripleField):

@@ -11,12 +11,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
 WIDTH, TALL, LOW, LINES = 300, 4000, 110, 80
 """Pixels: as wide as the panel would like to be, taller than any screen, as low as the form may get, and a
 text above it."""
 MARGIN = 4
+TITLE = 168
+"""Pixels of a title, beside its icon and arrow in the narrowest task panel."""
 
 
 class PanelWidget(QtWidgets.QWidget):
@@ -41,6 +43,15 @@ class PanelWidget(QtWidgets.QWidget):
     def sizeHint(self) -> Any:
         """As much as there is."""
         return QtCore.QSize(WIDTH, TALL)
+
+
+def shorten_title(form: Any) -> None:
+    """Give a long title dots: FreeCAD makes the panel as wide as its title, and the screen cuts what is then
+    wider than the task panel."""
+    font = QtGui.QFont(form.font())
+    font.setBold(True)
+    title = QtGui.QFontMetrics(font).elidedText(form.windowTitle(), QtCore.Qt.ElideRight, TITLE)
+    form.setWindowTitle(title)
 
 
 class FormArea(QtWidgets.QScrollArea):

@@ -24,7 +24,7 @@ from freecad_fiveaxis.gui.undo import OpenStep
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
-from .panel_widget import PanelWidget
+from .panel_widget import PanelWidget, shorten_title
 from .summary import Summary
 
 DRAWN = 500
@@ -184,6 +184,7 @@ def show(panel: Any) -> Any:
         )  # the pointer is still busy
         return panel
     attend(panel)
+    shorten_title(panel.form)
     FreeCADGui.Control.showDialog(panel)
     keys.belong_to(panel.form)
     return panel

@@ -27,6 +27,7 @@ from . import written
 from .fields import TextField
 from .lines import error_line, note_line
 from .option_fields import option_field
+from .panel_widget import MARGIN
 from .path_panel import show
 from .result_html import findings
 
@@ -43,8 +44,10 @@ class PostPanel:
         self.file = TextField("nc_path", translate("FiveAxis", "The NC file to write"))
         self.error = error_line("post_error")
         self.reports = {kind: QtWidgets.QCheckBox(text) for kind, text in _report_texts().items()}
-        self.preview = QtWidgets.QCheckBox(translate("FiveAxis", "Preview for the CAM workbench"))
+        self.preview = QtWidgets.QCheckBox(translate("FiveAxis", "Preview for CAM"))
         self.verdict, self.poor = VerdictLabel("post_verdict"), QtWidgets.QLabel()
+        self.file.editor.setAccessibleDescription(self.file.editor.toolTip())
+        self.file.editor.textChanged.connect(self.file.editor.setToolTip)  # the box shows but the end
         self.spindle = None if path.Spindle else option_field(_spindle_leaf())
         self.form = self._widget()
         self._show_poor()
@@ -61,6 +64,7 @@ class PostPanel:
         row.addWidget(self.file.editor)
         row.addWidget(browse)
         column = QtWidgets.QVBoxLayout(widget)
+        column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         column.addWidget(QtWidgets.QLabel(translate("FiveAxis", "NC file")))
         column.addLayout(row)
         for kind, box in self.reports.items():

@@ -11,7 +11,7 @@ from typing import Any
 
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.qt import translate
-from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.scene.units import angle_text, length_text, write_number
 from freecad_fiveaxis.gui.scene.words import severity_name
 
 COLOURS = ("#4a5a6a", "#b06000", "#d0342c")
@@ -142,12 +142,12 @@ def _limits(axis: Any) -> str:
         return translate("FiveAxis", "none")
     if not axis.rotary:
         return f"{length_text(axis.low, 8)} … {length_text(axis.high, 8)}"
-    return f"{math.degrees(axis.low):g}…{math.degrees(axis.high):g}°"
+    return write_number(f"{math.degrees(axis.low):g}…{math.degrees(axis.high):g}") + "°"
 
 
 def numbers(values: Iterable[float]) -> str:
     """Numbers with blanks between them."""
-    return " ".join(f"{value + 0.0:.6g}" for value in values)
+    return " ".join(write_number(f"{value + 0.0:.6g}") for value in values)
 
 
 def paragraph(text: str, bold: bool = False) -> str:

@@ -20,6 +20,8 @@ GAP, INDENT = 6, 6
 """Pixels between label and editor, and left of both."""
 BUTTON = 28
 """Pixels of the button beside an editor."""
+LEAST = 190
+"""Pixels of the rows in the narrowest panel."""
 
 
 class Rows(QtWidgets.QWidget):
@@ -27,6 +29,9 @@ class Rows(QtWidgets.QWidget):
 
     def __init__(self, indent: int = INDENT) -> None:
         super().__init__()
+        self.resize(
+            LEAST, 0
+        )  # as narrow as it may get, until a layout says otherwise: labels above need least
         self.rows: list[Row] = []
         self.grid = QtWidgets.QGridLayout(self)
         self.grid.setContentsMargins(indent, 0, 0, 3 if indent else 0)
@@ -86,18 +91,24 @@ class Row:
     def place(self, grid: Any, label_room: int, editor_room: int) -> None:
         """Put the widgets where they have room (pixels); nothing is done to a row that stays as it is."""
         editor_needs = self.field.room() + (BUTTON if self.browse else 0)
-        above = self.label is None or self.label.sizeHint().width() > label_room or editor_needs > editor_room
+        above = self.label is None or _width(self.label) > label_room or editor_needs > editor_room
         if self.above == above:
             return
         self.above = above
         for widget in self.widgets:
             grid.removeWidget(widget)
         if self.label is not None:
+            self.label.setWordWrap(above)  # beside its editor it has room for all of it
             grid.addWidget(self.label, self.at + (not above), 0, 1, 3 if above else 1)
         first = 0 if above else 1
         grid.addWidget(self.field.editor, self.at + 1, first, 1, (2 if self.browse else 3) - first)
         if self.browse:
             grid.addWidget(self.browse, self.at + 1, 2)
+
+
+def _width(label: Any) -> int:
+    """Pixels of a label's text in one line."""
+    return int(label.fontMetrics().boundingRect(label.text()).width()) + 2
 
 
 def _label(field: Field) -> Any:

@@ -15,7 +15,7 @@ from typing import Any
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
-from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.scene.units import angle_text, length_text, write_number
 from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.waiting import waiting
 
@@ -206,7 +206,7 @@ def table_of(machine: str) -> str:
         table = load_machine(machine).table
     except FiveAxisError:  # the form says what is wrong with the machine
         table = None
-    return translate("FiveAxis", "not known") if table is None else f"{table:g} mm"
+    return translate("FiveAxis", "not known") if table is None else f"{write_number(f'{table:g}')} mm"
 
 
 def ask_file(parent: Any, document: str, name: str) -> str:

@@ -8,6 +8,7 @@ import html
 from typing import Any
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.decimal_sign import write_number
 from freecad_fiveaxis.app.results import read_judged
 from freecad_fiveaxis.app.units import length_text
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
@@ -89,7 +90,7 @@ def length(value: Any) -> str:
 def clock(seconds: float) -> str:
     """Seconds as ``1:02:03``, or as ``4.2 s`` below a minute."""
     if seconds < 60.0:
-        return translate("FiveAxis", "{} s").format(f"{seconds:.1f}")
+        return translate("FiveAxis", "{} s").format(write_number(f"{seconds:.1f}"))
     whole = round(seconds)
     return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
 

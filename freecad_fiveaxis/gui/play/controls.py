@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from freecad_fiveaxis.app.decimal_sign import write_number
+from freecad_fiveaxis.gui.panels.wrapping import SPACING, WrappingRow
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.wheel import leave_wheel
 
 SLIDER = 10_000
 """Steps of the slider over the program's time."""
-NARROW = 60
-"""Pixels; task panels are often narrow, and must not be scrolled sideways."""
 SPEEDS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Times real time."""
 
@@ -104,7 +104,7 @@ class Controls:
         box.setObjectName("speed")
         box.setToolTip(translate("FiveAxis", "Speed, in times of real time"))
         for speed in SPEEDS:
-            box.addItem(f"× {speed:g}", speed)
+            box.addItem(f"× {write_number(f'{speed:g}')}", speed)
         box.setCurrentIndex(SPEEDS.index(1.0))
         leave_wheel(box)
         return box
@@ -113,21 +113,15 @@ class Controls:
         widget = QtWidgets.QWidget()
         column = QtWidgets.QVBoxLayout(widget)
         column.setContentsMargins(0, 0, 0, 0)
-        buttons, jumps, switches = (QtWidgets.QHBoxLayout() for _ in range(3))
+        buttons = QtWidgets.QHBoxLayout()
         for button in (self.begin, self.back, self.play, self.forward):
             buttons.addWidget(button)
         buttons.addStretch()
         buttons.addWidget(self.speed)
-        for button in (self.worst, self.singular):
-            button.setMinimumWidth(NARROW)
-            jumps.addWidget(button)
-        for box in (self.machine, self.follow):
-            switches.addWidget(box)
-        switches.addStretch()
+        buttons.setSpacing(SPACING)
         column.addWidget(self.slider)
-        for row in (buttons, jumps, switches):
-            row.setSpacing(3)
-            column.addLayout(row)
-        self.collision.setMinimumWidth(NARROW)
-        column.insertWidget(column.indexOf(jumps) + 1, self.collision)
+        column.addLayout(buttons)
+        column.addWidget(WrappingRow((self.worst, self.singular), stretched=True))
+        column.addWidget(self.collision)
+        column.addWidget(WrappingRow((self.machine, self.follow)))
         return widget

@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.report.playback import NCLines, Pose
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
+from freecad_fiveaxis.gui.panels.panel_widget import MARGIN, shorten_title
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, icon, later, translate
 
 from .camera import Camera
@@ -266,6 +267,7 @@ class PlayPanel:
         form.setWindowTitle(translate("FiveAxis", "Play {path}").format(path=self.obj.Label))
         form.setWindowIcon(QtGui.QIcon(icon("FiveAxis_Play")))
         column = QtWidgets.QVBoxLayout(form)
+        column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         column.addWidget(self.controls.widget)
         column.addWidget(self.readout.widget)
         column.addStretch()
@@ -327,6 +329,7 @@ def open_panel(obj: Any) -> PlayPanel:
     panel = PlayPanel(obj, _view_of(obj))
     try:
         attend(panel)
+        shorten_title(panel.form)
         FreeCADGui.Control.showDialog(panel)
     except RuntimeError:
         panel.close()

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.app.decimal_sign import write_number
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.base.findings import Finding, Hit
 from freecad_fiveaxis.core.base.sentences import say
@@ -15,11 +16,15 @@ from freecad_fiveaxis.core.motion.program import find_unknown_ways
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.report.playback import NCLines, Pose
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
+from freecad_fiveaxis.gui.panels.triple import Wide
 from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import length_text
 
 LEAST = 1e-6
 """mm; less than that is rounding, of words that are given to a ten-thousandth."""
+
+HEADING = 88
+"""Pixels of the words before a value."""
 
 ROUND_UP = 1.0 + 5e-5
 """A bound must not become less by being shown with five digits."""
@@ -29,8 +34,9 @@ class Readout:
     """A form of labels; ``widget`` goes into the panel."""
 
     def __init__(self, figures: Figures, lines: NCLines) -> None:
-        self.widget = QtWidgets.QWidget()
+        self.widget = Wide()
         self.rows = QtWidgets.QFormLayout(self.widget)
+        self.widget.widened.connect(self._keep_height)
         self.rows.setContentsMargins(0, 0, 0, 0)
         self.rows.setVerticalSpacing(2)
         self.hit = _label("hit")
@@ -104,6 +110,14 @@ class Readout:
         if self._is_guided(block):
             for label in (self.gap, self.most, self.bound):
                 label.setText("–")
+        self._keep_height()
+
+    def _keep_height(self) -> None:
+        """Ask for the height of all lines at this width: FreeCAD else takes that of the texts in one line,
+        and lays them over each other."""
+        height = self.rows.heightForWidth(self.widget.width())
+        if height != self.widget.minimumHeight():
+            self.widget.setMinimumHeight(height)
 
     def _is_guided(self, block: int) -> bool:
         """Whether the controller guides the tip in a block: it has no deviation of ours then."""
@@ -154,8 +168,11 @@ class Readout:
         return " ".join(notes)
 
     def _row(self, name: str, title: str) -> Any:
-        label = _label(name)
-        self.rows.addRow(title, label)
+        label, heading = _label(name), QtWidgets.QLabel(title)
+        for one in (label, heading):
+            one.setWordWrap(True)  # the panel may be too narrow for both in one line
+        heading.setFixedWidth(HEADING)
+        self.rows.addRow(heading, label)
         return label
 
 
@@ -183,8 +200,9 @@ def joint_text(word: float, rotary: bool) -> str:
     """Return a joint in degrees, or in the user's unit of length, with the digits that the machine is
     told."""
     if rotary:
-        return f"{word:.4f}°"
-    return f"{word / INCH:.5f} in" if inches() else f"{word:.4f} mm"
+        return write_number(f"{word:.4f}") + "°"
+    number, unit = (f"{word / INCH:.5f}", "in") if inches() else (f"{word:.4f}", "mm")
+    return f"{write_number(number)} {unit}"
 
 
 def _distance(mm: float) -> str:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from freecad_fiveaxis.gui.qt import translate
 
 from . import gouge_words
-from .units import angle_text, area_text, length_text
+from .units import angle_text, area_text, length_text, write_number
 
 if TYPE_CHECKING:
     from freecad_fiveaxis.core.base.findings import Finding
@@ -85,7 +85,7 @@ def value_text(finding: Finding) -> str:
     return (
         angle_text(finding.value)
         if finding.unit == "deg"
-        else f"{finding.value:.5g} {finding.unit.replace('1', '')}".strip()
+        else f"{write_number(f'{finding.value:.5g}')} {finding.unit.replace('1', '')}".strip()
     )
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from freecad_fiveaxis.app.decimal_sign import write_number
 from freecad_fiveaxis.app.units import angle_text, feed_text, length_text
 from freecad_fiveaxis.core.machine.editing import (
     AxisDraft,
@@ -190,7 +191,11 @@ def side_label(side: str) -> str:
 def _cells(axis: AxisDraft) -> tuple[str, ...]:
     rate = translate("FiveAxis", "not given")
     if axis.max_rate is not None:
-        rate = f"{axis.max_rate:g}{TURNS_A_MINUTE}" if axis.rotary else feed_text(axis.max_rate)
+        rate = (
+            f"{write_number(f'{axis.max_rate:g}')}{TURNS_A_MINUTE}"
+            if axis.rotary
+            else feed_text(axis.max_rate)
+        )
     return (
         axis.letter,
         side_label(axis.side),

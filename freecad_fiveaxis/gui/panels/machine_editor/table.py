@@ -6,12 +6,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from freecad_fiveaxis.gui.panels.wrapping import WrappingRow
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
 ROWS = 6
 """As many are seen at most before the table scrolls."""
-GAP = 4
-"""Pixels."""
 
 
 class Table(QtWidgets.QTableWidget):
@@ -80,15 +79,8 @@ def tool_button(name: str, text: str, hint: str) -> Any:
 
 
 def buttons_row(*buttons: Any) -> Any:
-    """Buttons beside each other."""
-    holder = QtWidgets.QWidget()
-    row = QtWidgets.QHBoxLayout(holder)
-    row.setContentsMargins(0, 0, 0, 0)
-    row.setSpacing(GAP)
-    for button in buttons:
-        row.addWidget(button)
-    row.addStretch()
-    return holder
+    """Return a widget with the buttons beside each other, as far as they have room."""
+    return WrappingRow(buttons)
 
 
 def show_items(field: Any, items: Sequence[tuple[str, str]]) -> None:
