@@ -7,6 +7,7 @@ from pathlib import Path
 
 import engines
 import pytest
+from one_field import keep_fields
 from plain import build_settings
 from uncured import UNCURED
 
@@ -88,3 +89,12 @@ def engine(request, living):
         return
     with engines.OPEN[name]() as result:
         yield engines.Engine(name, result, name in engines.APART)
+
+
+@pytest.fixture(scope="module")
+def fields_kept():
+    """Runs of a file find the field of tool axes of a part and tool once; ask for it only where no test
+    breaks how the field is found."""
+    with pytest.MonkeyPatch.context() as patch:
+        keep_fields(patch)
+        yield

@@ -28,6 +28,8 @@ from freecad_fiveaxis.core.studies.compare.beside_part import enters_part
 from freecad_fiveaxis.core.studies.corrections import CURES
 from freecad_fiveaxis.core.studies.study import as_text, try_machines
 
+pytestmark = pytest.mark.usefixtures("fields_kept")
+
 CAP = cap(rings=6, sectors=18)
 OPTIONS = {
     "none": {}, "linearize": {"linearize": "on"}, "minimax": {"tool_axis": "minimax"},

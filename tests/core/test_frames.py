@@ -105,6 +105,12 @@ def milled(mesh, **given):
     return job.prove(make_result(mesh, **given))
 
 
+@lru_cache
+def simultaneous(name):
+    """The program of a part whose tool axis turns while it cuts."""
+    return milled(PARTS[name](), passes="scallop", linearize="on")
+
+
 def of(name):
     return result_of(name, find_frames.surface_nodes)
 
@@ -203,7 +209,7 @@ def test_rotary_axes_are_locked_in_each_frame(name):
 
 def test_a_turn_in_a_feed_block_would_be_noticed():
     with pytest.raises((AssertionError, StopIteration)):
-        locked(milled(block(), passes="scallop"))
+        locked(simultaneous("block"))
 
 
 @pytest.mark.parametrize("name", PARTS)
@@ -231,7 +237,7 @@ def test_frames_finish_about_what_simultaneous_passes_finish(name):
     point, _ = spread(mesh, 1500)
     finished = [
         (cKDTree(centres(result)).query(point)[0] - RADIUS <= 2 * SCALLOP + TOLERANCE).mean()
-        for result in (of(name), milled(mesh, passes="scallop", linearize="on"))
+        for result in (of(name), simultaneous(name))
     ]
     assert finished[0] > finished[1] - 0.03
 

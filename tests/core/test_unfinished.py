@@ -25,6 +25,8 @@ from freecad_fiveaxis.core.report.unfinished import Unfinished, name_unfinished
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 
+pytestmark = pytest.mark.usefixtures("fields_kept")
+
 BLOCK = prism([(-5, 0), (5, 0), (5, 10), (-5, 10)], 10.0)
 """600 mm2, all of which is to be cut here."""
 
