@@ -26,6 +26,9 @@ STEPS = 360
 """Directions of the shadow's outline on each side: its chords lie within it, by less than 1e-4 of its
 radius."""
 
+PIECE = 72
+"""Of these are looked at together."""
+
 CHUNK = 256
 """Rows whose outlines are held at a time."""
 
@@ -63,13 +66,30 @@ def width_at(
 
 
 def _reach(normal: Floats, axis: Floats, across: Floats, height: float, discs: Floats, bend: float) -> Floats:
-    """How far (n,) the shadow reaches towards ``across`` at that height, from the hub."""
+    """How far (n,) the shadow reaches towards ``across`` at that height, from the hub. Most rise to it near the
+    contact: the outline is followed piece by piece, until it is higher."""
     angle = np.linspace(0.0, np.pi, STEPS + 1)
     angle = np.pi * (angle / np.pi) ** 2  # finer near the contact, where scallops are
-    x, y, z = _outline(normal, axis, across, angle, discs)
-    y = y - y[:, :1] + 0.5 * bend * (z - z[:, :1]) ** 2
-    y = np.maximum.accumulate(y, axis=1)
-    last = np.clip((y <= height).sum(axis=1) - 1, 0, len(angle) - 2)
+    reach, rows = np.empty(len(normal)), np.arange(len(normal))
+    low = aside = top = np.zeros((len(normal), 1))
+    for begin in range(0, STEPS, PIECE):
+        piece = angle[begin : begin + PIECE + 1]  # up to where the next one begins
+        x, y, z = _outline(normal[rows], axis[rows], across[rows], piece, discs)
+        if begin == 0:
+            low, aside, top = y[:, :1], z[:, :1], np.full((len(y), 1), -np.inf)
+        y = y - low + 0.5 * bend * (z - aside) ** 2
+        y = np.maximum(np.maximum.accumulate(y, axis=1), top)
+        ends = (y[:, -1] > height) | (begin + PIECE >= STEPS)
+        reach[rows[ends]] = _cross(x[ends], y[ends], height)
+        rows, low, aside, top = rows[~ends], low[~ends], aside[~ends], y[~ends, -1:]
+        if not len(rows):
+            break
+    return reach
+
+
+def _cross(x: Floats, y: Floats, height: float) -> Floats:
+    """Where (n,) lines through the places ``x``, ``y`` (n, m), which rise, are at that height."""
+    last = np.clip((y <= height).sum(axis=1) - 1, 0, y.shape[1] - 2)
     row = np.arange(len(y))
     rise = y[row, last + 1] - y[row, last]
     share = np.clip((height - y[row, last]) / np.where(rise > 0.0, rise, 1.0), 0.0, 1.0)
