@@ -66,8 +66,8 @@ def width_at(
 
 
 def _reach(normal: Floats, axis: Floats, across: Floats, height: float, discs: Floats, bend: float) -> Floats:
-    """How far (n,) the shadow reaches towards ``across`` at that height, from the hub. Most rise to it near the
-    contact: the outline is followed piece by piece, until it is higher."""
+    """How far (n,) the shadow reaches towards ``across`` at that height, from the hub. Most rise to it near
+    the contact: the outline is followed piece by piece, until it is higher."""
     angle = np.linspace(0.0, np.pi, STEPS + 1)
     angle = np.pi * (angle / np.pi) ** 2  # finer near the contact, where scallops are
     reach, rows = np.empty(len(normal)), np.arange(len(normal))
