@@ -5272,8 +5272,8 @@
         <translation>In {count} Vorschubsätzen, ab NC-Zeile {line}, ist keine Werkzeuglänge wirksam: Die Steuerung hält das Werkzeug für 0 lang und fährt es um seine Länge ins Teil, wenn der Nullpunkt nicht mit ihm gesetzt wurde. {remedy}</translation>
     </message>
     <message>
-        <source>No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over} at least. Widen the region, turn the part, or take a larger machine.</source>
-        <translation>Kein Werkstücknullpunkt des Bereichs hält die Linearachsen in ihren Grenzen: sie werden um mindestens {over} überschritten. Den Bereich erweitern, das Werkstück drehen oder eine größere Maschine nehmen.</translation>
+        <source>No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over} at least. Widen the region ({region}), begin with a work zero that brings the part near the rotary axes ({origin}), turn the part, or take a larger machine.</source>
+        <translation>Kein Nullpunkt des Aufspannbereichs hält die Linearachsen in ihren Grenzen: Sie werden um mindestens {over} überschritten. Den Bereich erweitern ({region}), mit einem Nullpunkt beginnen, der das Werkstück nahe an die Drehachsen bringt ({origin}), das Werkstück drehen oder eine größere Maschine nehmen.</translation>
     </message>
     <message>
         <source>No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.</source>
@@ -5668,6 +5668,10 @@
         <translation>Der Werkzeugweg von {label} wurde gelöscht: in der Eigenschaft Werkzeugweg einen anderen wählen.</translation>
     </message>
     <message>
+        <source>The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}, and the first or the last place of the path too: the program begins and ends at Z {reached}. Move the work zero ({origin}) so that Z reaches the part.</source>
+        <translation>Die Ebene über dem Werkstück, auf der die Drehachsen drehen, liegt bei Z {height}, jenseits der Grenze {limit}, und die erste oder letzte Stelle der Bahn auch: Das Programm beginnt und endet bei Z {reached}. Den Nullpunkt so verschieben ({origin}), dass Z das Werkstück erreicht.</translation>
+    </message>
+    <message>
         <source>The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}: the program begins and ends at that limit. Watch the first moves, or set the machine file's safe_start to machine or reference.</source>
         <translation>Die Ebene über dem Werkstück, auf der die Rundachsen drehen, liegt bei Z {height}, jenseits der Grenze {limit}: das Programm beginnt und endet an dieser Grenze. Die ersten Bewegungen beobachten oder safe_start der Maschinendatei auf machine oder reference setzen.</translation>
     </message>
@@ -5698,6 +5702,10 @@
     <message>
         <source>The program has rotary words {letters}, {name} has {own}.</source>
         <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
+    </message>
+    <message>
+        <source>The program retracts to Z {position} of the machine, which by machine file, work zero and tool length is Z {height} of the program, below the place at Z {place} where it begins or ends: the retract goes down, in rapid. Give safe_start of the machine file a higher Z, or say where the part stands ({origin}).</source>
+        <translation>Das Programm zieht auf Z {position} der Maschine zurück. Nach Maschinendatei, Nullpunkt und Werkzeuglänge ist das Z {height} des Programms, unter der Stelle bei Z {place}, wo es beginnt oder endet: Der Rückzug geht nach unten, im Eilgang. safe_start der Maschinendatei ein höheres Z geben oder sagen, wo das Werkstück steht ({origin}).</translation>
     </message>
     <message>
         <source>The program retracts to the machine position of safe_start, where Z would be {height}, beyond its limit {limit}. Give safe_start of the machine file another Z, or correct the limits of Z.</source>
@@ -6684,6 +6692,10 @@
         <translation>nahe beieinander liegende Ecken wurden vereint</translation>
     </message>
     <message>
+        <source>correct that place in a text editor, or {export}</source>
+        <translation>diese Stelle in einem Texteditor berichtigen, oder {export}</translation>
+    </message>
+    <message>
         <source>counter-clockwise</source>
         <translation>gegen den Uhrzeigersinn</translation>
     </message>
@@ -6842,6 +6854,10 @@
     <message>
         <source>enters the part</source>
         <translation>dringt ins Werkstück ein</translation>
+    </message>
+    <message>
+        <source>export the machine from FreeCAD again</source>
+        <translation>die Maschine noch einmal aus FreeCAD exportieren</translation>
     </message>
     <message>
         <source>export the part with a coarser tolerance, or free memory</source>
@@ -7324,6 +7340,10 @@
         <translation>der Schlüssel {key} steht zweimal in einem Objekt; einen entfernen</translation>
     </message>
     <message>
+        <source>known are {dialects}</source>
+        <translation>bekannt sind {dialects}</translation>
+    </message>
+    <message>
         <source>known are {modules}</source>
         <translation>bekannt sind {modules}</translation>
     </message>
@@ -7774,6 +7794,10 @@
     <message>
         <source>no stick-out of the tool within reason keeps the holder free</source>
         <translation>keine vernünftige Auskragung des Werkzeugs hält den Halter frei</translation>
+    </message>
+    <message>
+        <source>no such key; did you mean {near}?</source>
+        <translation>diesen Schlüssel gibt es nicht; ist {near} gemeint?</translation>
     </message>
     <message>
         <source>no tilted plane is on</source>
@@ -8348,6 +8372,10 @@
         <translation>die Captures an Werkzeug und Werkstück, die main bekommt, stehen nicht in dem, was sich vom Modell lesen lässt</translation>
     </message>
     <message>
+        <source>the configuration gives a rotary axis no limits</source>
+        <translation>die Konfiguration gibt einer Drehachse keine Grenzen</translation>
+    </message>
+    <message>
         <source>the control shows other positions than it drives</source>
         <translation>die Steuerung zeigt andere Positionen an, als sie fährt</translation>
     </message>
@@ -8488,8 +8516,8 @@
         <translation>laut Datei sind ihre Punkte die Kontur des Teils. Den Weg des Werkzeugs ausgeben lassen.</translation>
     </message>
     <message>
-        <source>the file {kind}; export the machine from FreeCAD again</source>
-        <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
+        <source>the file {kind}; {remedy}</source>
+        <translation>die Datei {kind}; {remedy}</translation>
     </message>
     <message>
         <source>the fixture {fixture} at {share} % of them</source>
@@ -8530,6 +8558,14 @@
     <message>
         <source>the key is missing; add "{key}"</source>
         <translation>der Schlüssel fehlt; „{key}“ ergänzen</translation>
+    </message>
+    <message>
+        <source>the key is missing; add {example} with the axis' own limits</source>
+        <translation>der Schlüssel fehlt; {example} mit den Grenzen der Achse einfügen</translation>
+    </message>
+    <message>
+        <source>the key is missing; add {example} with the axis' own limits; -99999 and 99999 for one that turns without end</source>
+        <translation>der Schlüssel fehlt; {example} mit den Grenzen der Achse einfügen; -99999 und 99999 für eine, die endlos dreht</translation>
     </message>
     <message>
         <source>the keys {lacking} are missing; add them (role: one of {roles}; parent: the axis that carries this one, or null)</source>
@@ -8672,6 +8708,10 @@
         <translation>das Programm hat Rundachswörter von {names}; eine Fünfachsmaschine wird aus zweien von A B C zurückgewonnen</translation>
     </message>
     <message>
+        <source>the program needs {span} of {letter}, whose travel is {travel}, for what is milled stands {distance} from the axis of {axis} and swings with it. Stand it near the axes: the work zero moved by about X {x} Y {y} Z {z} ({origin}) does.</source>
+        <translation>das Programm braucht {span} von {letter}, deren Weg {travel} ist, denn was gefräst wird, steht {distance} von der Achse von {axis} entfernt und schwingt mit ihr. Es nahe an die Achsen stellen: Das tut ein Nullpunkt, der um etwa X {x} Y {y} Z {z} verschoben ist ({origin}).</translation>
+    </message>
+    <message>
         <source>the program needs {span} of {letter}, whose travel is {travel}, {short} too short. Take a larger machine, or mill less of the part at once.</source>
         <translation>das Programm braucht {span} von {letter}, dessen Verfahrweg {travel} ist, {short} zu kurz. Eine größere Maschine nehmen oder weniger vom Teil auf einmal fräsen.</translation>
     </message>
@@ -8682,6 +8722,10 @@
     <message>
         <source>the program's zero is not that of the path or machine</source>
         <translation>der Nullpunkt des Programms ist nicht der von Bahn oder Maschine</translation>
+    </message>
+    <message>
+        <source>the retract to a machine position goes below where the program begins or ends</source>
+        <translation>der Rückzug auf eine Maschinenposition geht unter die Stelle, wo das Programm beginnt oder endet</translation>
     </message>
     <message>
         <source>the rotary words never change: such rows say nothing of pivots; give a five-axis program</source>
@@ -9164,8 +9208,8 @@
         <translation>zwei Links oder Gelenke heißen {name}; geben Sie jedem einen eigenen Namen</translation>
     </message>
     <message>
-        <source>unknown controller {name}; known are {dialects}</source>
-        <translation>unbekannte Steuerung {name}; bekannt sind {dialects}</translation>
+        <source>unknown controller {name}; {hint}{known}</source>
+        <translation>unbekannte Steuerung {name}; {hint}{known}</translation>
     </message>
     <message>
         <source>unknown correction {name}; known: {cures}</source>
@@ -10522,6 +10566,10 @@
     <message>
         <source>{path} does not exist; name the file to read</source>
         <translation>{path} gibt es nicht; die zu lesende Datei nennen</translation>
+    </message>
+    <message>
+        <source>{path} gives {letters} neither MIN_LIMIT nor MAX_LIMIT: it turns without end, as LinuxCNC takes it. If cables or hoses stop it, write both limits there.</source>
+        <translation>{path} gibt {letters} weder MIN_LIMIT noch MAX_LIMIT: Sie dreht endlos, wie LinuxCNC es auffasst. Wenn Kabel oder Schläuche sie aufhalten, beide Grenzen dort eintragen.</translation>
     </message>
     <message>
         <source>{path} has no ending that is known; give LinuxCNC's .ini, a .urdf or FreeCAD's .fcm</source>
