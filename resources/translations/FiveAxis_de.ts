@@ -4972,6 +4972,10 @@
         <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
+        <source>In 1 of these the controller would have to guide the tip, which {names} cannot.</source>
+        <translation>Bei 1 davon müsste die Steuerung die Spitze führen, was {names} nicht kann.</translation>
+    </message>
+    <message>
         <source>In 1 of {all} ways it is not checked whether the tool goes into the part.</source>
         <translation>Bei 1 von {all} Wegen ist nicht geprüft, ob das Werkzeug ins Werkstück geht.</translation>
     </message>
@@ -5082,6 +5086,10 @@
     <message>
         <source>In {count} of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
         <translation>Bei {count} davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
+    </message>
+    <message>
+        <source>In {count} of these the controller would have to guide the tip, which {names} cannot.</source>
+        <translation>Bei {count} davon müsste die Steuerung die Spitze führen, was {names} nicht kann.</translation>
     </message>
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
