@@ -7896,6 +7896,10 @@
         <translation>nichts von dem, was gefräst werden soll, lässt sich mit {allowance} Abstand zu den ausgesparten Flächen fräsen; geben Sie einen kleineren Abstand oder Fräser an</translation>
     </message>
     <message>
+        <source>nothing says where {letters} stand and which carries which; copy the file of a shipped machine with these axes ({alike}) and write their lines, signs, limits and rates into it by hand (docs/adding.md)</source>
+        <translation>nichts sagt, wo {letters} stehen und welche welche trägt; die Datei einer mitgelieferten Maschine mit diesen Achsen kopieren ({alike}) und ihre Linien, Vorzeichen, Grenzen und Geschwindigkeiten von Hand hineinschreiben (docs/adding.md)</translation>
+    </message>
+    <message>
         <source>nothing says where {letters} stand and which carries which; describe the machine by hand (docs/adding.md)</source>
         <translation>nichts sagt, wo {letters} stehen und welche welche trägt; beschreiben Sie die Maschine von Hand (docs/adding.md)</translation>
     </message>
