@@ -4860,6 +4860,14 @@
         <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für die ganze Umdrehung hat: mitten im Schnitt dreht sie {after}-mal zurück statt {before}-mal.</translation>
     </message>
     <message>
+        <source>Closed passes begin where {letter} has room for their whole turn within its limits: it turns back {after} times instead of {before}.</source>
+        <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für eine ganze Drehung hat: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
+    </message>
+    <message>
+        <source>Closed passes run by turns one way round and the other, so that {letter} goes to and fro within its limits: it turns back {after} times instead of {before}.</source>
+        <translation>Geschlossene Bahnen laufen abwechselnd herum und andersherum, so dass {letter} innerhalb ihrer Grenzen hin und her geht: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
+    </message>
+    <message>
         <source>Cutter's flank in the way ({area}): its end fits, what is above it does not, as under an overhang; a smaller radius need not help, a lollipop or another setup may.</source>
         <translation>Flanke des Fräsers im Weg ({area}): Sein Ende passt, was darüber ist nicht, wie unter einem Überhang; ein kleinerer Radius hilft nicht unbedingt, vielleicht ein Lollipop-Fräser oder eine andere Aufspannung.</translation>
     </message>
@@ -6674,6 +6682,10 @@
     <message>
         <source>closed passes begin where a rotary axis has room</source>
         <translation>geschlossene Bahnen beginnen, wo eine Rundachse Platz hat</translation>
+    </message>
+    <message>
+        <source>closed passes run by turns one way and the other, within a rotary axis' limits</source>
+        <translation>geschlossene Bahnen laufen abwechselnd in beide Richtungen, innerhalb der Grenzen einer Drehachse</translation>
     </message>
     <message>
         <source>co-edge tolerance</source>

@@ -241,6 +241,12 @@ class Code(str, Enum):
         "1",
         "closed passes begin where a rotary axis has room",
     )
+    RINGS_REVERSED = (
+        "rings-reversed",
+        NOTE,
+        "1",
+        "closed passes run by turns one way and the other, within a rotary axis' limits",
+    )
     ROWS_MERGED = "rows-merged", NOTE, "1", "rows of passes that are close together were merged"
     LIMIT = "limit", ERROR, "mm", "an axis leaves its limits"
     FEED_ABOVE_LARGEST = "feed-above-largest", NOTE, "mm/min", "F exceeds the controller's largest"
