@@ -4860,6 +4860,14 @@
         <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für die ganze Umdrehung hat: mitten im Schnitt dreht sie {after}-mal zurück statt {before}-mal.</translation>
     </message>
     <message>
+        <source>Closed passes begin where {letter} has room for their whole turn within its limits: it turns back {after} times instead of {before}.</source>
+        <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für eine ganze Drehung hat: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
+    </message>
+    <message>
+        <source>Closed passes run by turns one way round and the other, so that {letter} goes to and fro within its limits: it turns back {after} times instead of {before}.</source>
+        <translation>Geschlossene Bahnen laufen abwechselnd herum und andersherum, so dass {letter} innerhalb ihrer Grenzen hin und her geht: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
+    </message>
+    <message>
         <source>Cutter's flank in the way ({area}): its end fits, what is above it does not, as under an overhang; a smaller radius need not help, a lollipop or another setup may.</source>
         <translation>Flanke des Fräsers im Weg ({area}): Sein Ende passt, was darüber ist nicht, wie unter einem Überhang; ein kleinerer Radius hilft nicht unbedingt, vielleicht ein Lollipop-Fräser oder eine andere Aufspannung.</translation>
     </message>
@@ -4972,6 +4980,10 @@
         <translation>Bei 1 davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
     </message>
     <message>
+        <source>In 1 of these the controller would have to guide the tip, which {names} cannot.</source>
+        <translation>Bei 1 davon müsste die Steuerung die Spitze führen, was {names} nicht kann.</translation>
+    </message>
+    <message>
         <source>In 1 of {all} ways it is not checked whether the tool goes into the part.</source>
         <translation>Bei 1 von {all} Wegen ist nicht geprüft, ob das Werkzeug ins Werkstück geht.</translation>
     </message>
@@ -5082,6 +5094,10 @@
     <message>
         <source>In {count} of these the controller guides the tip: only the end points of blocks are verified there, the path between them is under RTCP.</source>
         <translation>Bei {count} davon führt die Steuerung die Spitze: Geprüft sind dort nur die Endpunkte der NC-Sätze, der Weg dazwischen liegt unter RTCP.</translation>
+    </message>
+    <message>
+        <source>In {count} of these the controller would have to guide the tip, which {names} cannot.</source>
+        <translation>Bei {count} davon müsste die Steuerung die Spitze führen, was {names} nicht kann.</translation>
     </message>
     <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
@@ -5272,8 +5288,8 @@
         <translation>In {count} Vorschubsätzen, ab NC-Zeile {line}, ist keine Werkzeuglänge wirksam: Die Steuerung hält das Werkzeug für 0 lang und fährt es um seine Länge ins Teil, wenn der Nullpunkt nicht mit ihm gesetzt wurde. {remedy}</translation>
     </message>
     <message>
-        <source>No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over} at least. Widen the region, turn the part, or take a larger machine.</source>
-        <translation>Kein Werkstücknullpunkt des Bereichs hält die Linearachsen in ihren Grenzen: sie werden um mindestens {over} überschritten. Den Bereich erweitern, das Werkstück drehen oder eine größere Maschine nehmen.</translation>
+        <source>No work zero of the setup region keeps the linear axes within their limits: they are exceeded by {over} at least. Widen the region ({region}), begin with a work zero that brings the part near the rotary axes ({origin}), turn the part, or take a larger machine.</source>
+        <translation>Kein Nullpunkt des Aufspannbereichs hält die Linearachsen in ihren Grenzen: Sie werden um mindestens {over} überschritten. Den Bereich erweitern ({region}), mit einem Nullpunkt beginnen, der das Werkstück nahe an die Drehachsen bringt ({origin}), das Werkstück drehen oder eine größere Maschine nehmen.</translation>
     </message>
     <message>
         <source>No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.</source>
@@ -5668,6 +5684,10 @@
         <translation>Der Werkzeugweg von {label} wurde gelöscht: in der Eigenschaft Werkzeugweg einen anderen wählen.</translation>
     </message>
     <message>
+        <source>The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}, and the first or the last place of the path too: the program begins and ends at Z {reached}. Move the work zero ({origin}) so that Z reaches the part.</source>
+        <translation>Die Ebene über dem Werkstück, auf der die Drehachsen drehen, liegt bei Z {height}, jenseits der Grenze {limit}, und die erste oder letzte Stelle der Bahn auch: Das Programm beginnt und endet bei Z {reached}. Den Nullpunkt so verschieben ({origin}), dass Z das Werkstück erreicht.</translation>
+    </message>
+    <message>
         <source>The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}: the program begins and ends at that limit. Watch the first moves, or set the machine file's safe_start to machine or reference.</source>
         <translation>Die Ebene über dem Werkstück, auf der die Rundachsen drehen, liegt bei Z {height}, jenseits der Grenze {limit}: das Programm beginnt und endet an dieser Grenze. Die ersten Bewegungen beobachten oder safe_start der Maschinendatei auf machine oder reference setzen.</translation>
     </message>
@@ -5698,6 +5718,10 @@
     <message>
         <source>The program has rotary words {letters}, {name} has {own}.</source>
         <translation>Das Programm hat die Rundachsen {letters}, {name} hat {own}.</translation>
+    </message>
+    <message>
+        <source>The program retracts to Z {position} of the machine, which by machine file, work zero and tool length is Z {height} of the program, below the place at Z {place} where it begins or ends: the retract goes down, in rapid. Give safe_start of the machine file a higher Z, or say where the part stands ({origin}).</source>
+        <translation>Das Programm zieht auf Z {position} der Maschine zurück. Nach Maschinendatei, Nullpunkt und Werkzeuglänge ist das Z {height} des Programms, unter der Stelle bei Z {place}, wo es beginnt oder endet: Der Rückzug geht nach unten, im Eilgang. safe_start der Maschinendatei ein höheres Z geben oder sagen, wo das Werkstück steht ({origin}).</translation>
     </message>
     <message>
         <source>The program retracts to the machine position of safe_start, where Z would be {height}, beyond its limit {limit}. Give safe_start of the machine file another Z, or correct the limits of Z.</source>
@@ -6660,6 +6684,10 @@
         <translation>geschlossene Bahnen beginnen, wo eine Rundachse Platz hat</translation>
     </message>
     <message>
+        <source>closed passes run by turns one way and the other, within a rotary axis' limits</source>
+        <translation>geschlossene Bahnen laufen abwechselnd in beide Richtungen, innerhalb der Grenzen einer Drehachse</translation>
+    </message>
+    <message>
         <source>co-edge tolerance</source>
         <translation>die Kantentoleranz</translation>
     </message>
@@ -6682,6 +6710,10 @@
     <message>
         <source>corners that lie next to each other were joined</source>
         <translation>nahe beieinander liegende Ecken wurden vereint</translation>
+    </message>
+    <message>
+        <source>correct that place in a text editor, or {export}</source>
+        <translation>diese Stelle in einem Texteditor berichtigen, oder {export}</translation>
     </message>
     <message>
         <source>counter-clockwise</source>
@@ -6842,6 +6874,10 @@
     <message>
         <source>enters the part</source>
         <translation>dringt ins Werkstück ein</translation>
+    </message>
+    <message>
+        <source>export the machine from FreeCAD again</source>
+        <translation>die Maschine noch einmal aus FreeCAD exportieren</translation>
     </message>
     <message>
         <source>export the part with a coarser tolerance, or free memory</source>
@@ -7324,6 +7360,10 @@
         <translation>der Schlüssel {key} steht zweimal in einem Objekt; einen entfernen</translation>
     </message>
     <message>
+        <source>known are {dialects}</source>
+        <translation>bekannt sind {dialects}</translation>
+    </message>
+    <message>
         <source>known are {modules}</source>
         <translation>bekannt sind {modules}</translation>
     </message>
@@ -7776,6 +7816,10 @@
         <translation>keine vernünftige Auskragung des Werkzeugs hält den Halter frei</translation>
     </message>
     <message>
+        <source>no such key; did you mean {near}?</source>
+        <translation>diesen Schlüssel gibt es nicht; ist {near} gemeint?</translation>
+    </message>
+    <message>
         <source>no tilted plane is on</source>
         <translation>keine geschwenkte Ebene ist aktiv</translation>
     </message>
@@ -7862,6 +7906,10 @@
     <message>
         <source>nothing of what is to be machined can be cut {allowance} off the faces to avoid; give a smaller allowance or cutter</source>
         <translation>nichts von dem, was gefräst werden soll, lässt sich mit {allowance} Abstand zu den ausgesparten Flächen fräsen; geben Sie einen kleineren Abstand oder Fräser an</translation>
+    </message>
+    <message>
+        <source>nothing says where {letters} stand and which carries which; copy the file of a shipped machine with these axes ({alike}) and write their lines, signs, limits and rates into it by hand (docs/adding.md)</source>
+        <translation>nichts sagt, wo {letters} stehen und welche welche trägt; die Datei einer mitgelieferten Maschine mit diesen Achsen kopieren ({alike}) und ihre Linien, Vorzeichen, Grenzen und Geschwindigkeiten von Hand hineinschreiben (docs/adding.md)</translation>
     </message>
     <message>
         <source>nothing says where {letters} stand and which carries which; describe the machine by hand (docs/adding.md)</source>
@@ -8348,6 +8396,10 @@
         <translation>die Captures an Werkzeug und Werkstück, die main bekommt, stehen nicht in dem, was sich vom Modell lesen lässt</translation>
     </message>
     <message>
+        <source>the configuration gives a rotary axis no limits</source>
+        <translation>die Konfiguration gibt einer Drehachse keine Grenzen</translation>
+    </message>
+    <message>
         <source>the control shows other positions than it drives</source>
         <translation>die Steuerung zeigt andere Positionen an, als sie fährt</translation>
     </message>
@@ -8488,8 +8540,8 @@
         <translation>laut Datei sind ihre Punkte die Kontur des Teils. Den Weg des Werkzeugs ausgeben lassen.</translation>
     </message>
     <message>
-        <source>the file {kind}; export the machine from FreeCAD again</source>
-        <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
+        <source>the file {kind}; {remedy}</source>
+        <translation>die Datei {kind}; {remedy}</translation>
     </message>
     <message>
         <source>the fixture {fixture} at {share} % of them</source>
@@ -8530,6 +8582,14 @@
     <message>
         <source>the key is missing; add "{key}"</source>
         <translation>der Schlüssel fehlt; „{key}“ ergänzen</translation>
+    </message>
+    <message>
+        <source>the key is missing; add {example} with the axis' own limits</source>
+        <translation>der Schlüssel fehlt; {example} mit den Grenzen der Achse einfügen</translation>
+    </message>
+    <message>
+        <source>the key is missing; add {example} with the axis' own limits; -99999 and 99999 for one that turns without end</source>
+        <translation>der Schlüssel fehlt; {example} mit den Grenzen der Achse einfügen; -99999 und 99999 für eine, die endlos dreht</translation>
     </message>
     <message>
         <source>the keys {lacking} are missing; add them (role: one of {roles}; parent: the axis that carries this one, or null)</source>
@@ -8672,6 +8732,10 @@
         <translation>das Programm hat Rundachswörter von {names}; eine Fünfachsmaschine wird aus zweien von A B C zurückgewonnen</translation>
     </message>
     <message>
+        <source>the program needs {span} of {letter}, whose travel is {travel}, for what is milled stands {distance} from the axis of {axis} and swings with it. Stand it near the axes: the work zero moved by about X {x} Y {y} Z {z} ({origin}) does.</source>
+        <translation>das Programm braucht {span} von {letter}, deren Weg {travel} ist, denn was gefräst wird, steht {distance} von der Achse von {axis} entfernt und schwingt mit ihr. Es nahe an die Achsen stellen: Das tut ein Nullpunkt, der um etwa X {x} Y {y} Z {z} verschoben ist ({origin}).</translation>
+    </message>
+    <message>
         <source>the program needs {span} of {letter}, whose travel is {travel}, {short} too short. Take a larger machine, or mill less of the part at once.</source>
         <translation>das Programm braucht {span} von {letter}, dessen Verfahrweg {travel} ist, {short} zu kurz. Eine größere Maschine nehmen oder weniger vom Teil auf einmal fräsen.</translation>
     </message>
@@ -8682,6 +8746,10 @@
     <message>
         <source>the program's zero is not that of the path or machine</source>
         <translation>der Nullpunkt des Programms ist nicht der von Bahn oder Maschine</translation>
+    </message>
+    <message>
+        <source>the retract to a machine position goes below where the program begins or ends</source>
+        <translation>der Rückzug auf eine Maschinenposition geht unter die Stelle, wo das Programm beginnt oder endet</translation>
     </message>
     <message>
         <source>the rotary words never change: such rows say nothing of pivots; give a five-axis program</source>
@@ -9164,8 +9232,8 @@
         <translation>zwei Links oder Gelenke heißen {name}; geben Sie jedem einen eigenen Namen</translation>
     </message>
     <message>
-        <source>unknown controller {name}; known are {dialects}</source>
-        <translation>unbekannte Steuerung {name}; bekannt sind {dialects}</translation>
+        <source>unknown controller {name}; {hint}{known}</source>
+        <translation>unbekannte Steuerung {name}; {hint}{known}</translation>
     </message>
     <message>
         <source>unknown correction {name}; known: {cures}</source>
@@ -10522,6 +10590,10 @@
     <message>
         <source>{path} does not exist; name the file to read</source>
         <translation>{path} gibt es nicht; die zu lesende Datei nennen</translation>
+    </message>
+    <message>
+        <source>{path} gives {letters} neither MIN_LIMIT nor MAX_LIMIT: it turns without end, as LinuxCNC takes it. If cables or hoses stop it, write both limits there.</source>
+        <translation>{path} gibt {letters} weder MIN_LIMIT noch MAX_LIMIT: Sie dreht endlos, wie LinuxCNC es auffasst. Wenn Kabel oder Schläuche sie aufhalten, beide Grenzen dort eintragen.</translation>
     </message>
     <message>
         <source>{path} has no ending that is known; give LinuxCNC's .ini, a .urdf or FreeCAD's .fcm</source>

@@ -271,6 +271,8 @@ def test_an_unknown_controller_is_refused_with_the_names_that_are_known() -> Non
         match=r"hal9000.*linuxcnc, fanuc, haas, siemens840d, heidenhain, heidenhain_m128, mach3, grbl",
     ):
         find_dialect("hal9000")
+    with pytest.raises(SettingsError, match=r"'Mach4'; did you mean mach3\? known are linuxcnc"):
+        find_dialect("Mach4")
 
 
 @pytest.mark.rs274

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.studies.compare.beside_part import find_deepest
 from freecad_fiveaxis.core.studies.compare.stations import Row
 from freecad_fiveaxis.core.studies.compare.words import headline
 from freecad_fiveaxis.core.studies.compare_beside import report_entries
+from freecad_fiveaxis.core.studies.study import try_machines
 
 ROW = Row("trunnion", "none", False, tuple("XYZAC"), deviation=0.004, bound=0.005, axis_deviation=0.0, blocks=10, feed_blocks=9, time=60.0,
           peak_rate=(1.0,) * 5, over=0.0, part=())  # fmt: skip
@@ -42,6 +43,28 @@ def test_the_reason_is_that_which_is_true(rows, words):
 
 def test_where_a_way_cuts_all_no_share_is_given():
     assert "leaves out" not in headline([ROW, replace(ROW, left_out=0.4)], 0.01)
+
+
+def test_what_the_controller_cannot_do_is_not_the_quickest_way():
+    guided = replace(ROW, cure="minimax", tool_centre=True, time=50.0, imagined="mach3")
+    text = headline([ROW, guided, replace(guided, time=55.0)], 0.01)
+    assert text.startswith(
+        "3 of 3 ways hold 0.01 mm; the quickest is trunnion with no correction, 1 min 00 s."
+    )
+    assert text.endswith("In 2 of these the controller would have to guide the tip, which mach3 cannot.")
+    able = headline([ROW, guided, replace(guided, imagined="")], 0.01)
+    assert "the quickest is trunnion with minimax, tool-centre control" in able
+    assert (
+        "In 1 of these the controller guides the tip" in able and "In 1 of these the controller would" in able
+    )
+
+
+def test_a_row_says_whether_its_controller_can_guide_the_tip():
+    options = {"machines": "trunnion_ac", "cutter": "ball:6", "stepover": 6.0, "cures": "none"}
+    for controller, name in (("mach3", "mach3"), ("linuxcnc", "")):
+        settings = build_settings("compare", "part", options | {"controller": controller})
+        rows = try_machines(settings, mesh=from_triangles(box((0, 0, 0), (20, 20, 8)))).rows
+        assert {row.tool_centre: row.imagined for row in rows} == {False: "", True: name}
 
 
 @pytest.mark.parametrize("found", [(WHOLE, DEEP, NEAR), (DEEP, NEAR), (NEAR,)])

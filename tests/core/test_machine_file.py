@@ -319,6 +319,52 @@ def test_an_unknown_name_lists_the_known_ones():
         load_machine("")
 
 
+def test_a_name_without_the_ending_of_a_file_beside_names_that_file(tmp_path, monkeypatch):
+    save_machine(load_machine("trunnion_ac"), tmp_path / "mine.fcm")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(MachineError, match=r"'mine'; did you mean mine\.fcm\? known: "):
+        load_machine("mine")
+
+
+def written(folder, change):
+    """A copy of trunnion_ac whose objects ``change`` has changed."""
+    data = json.loads((machine_folder() / "trunnion_ac.fcm").read_text())
+    change(data)
+    (folder / "m.fcm").write_text(json.dumps(data))
+    return folder / "m.fcm"
+
+
+@pytest.mark.parametrize(
+    ("key", "near"), [("tabel", "table"), ("safestart", "safe_start"), ("Gauge_Point", "gauge_point")]
+)
+def test_a_misspelt_key_under_fiveaxis_is_refused_and_a_foreign_one_is_not(key, near, tmp_path):
+    def misspell(data):
+        data["fiveaxis"][key] = data["fiveaxis"].pop(near)
+
+    with pytest.raises(MachineError, match=rf"fiveaxis\.{key}: no such key; did you mean {near}\?"):
+        load_machine(written(tmp_path, misspell))
+    foreign = written(tmp_path, lambda data: data["fiveaxis"].update(colour="red", comment="mine"))
+    assert load_machine(foreign).axes == load_machine("trunnion_ac").axes
+
+
+def test_an_axis_without_limits_says_what_to_write(tmp_path):
+    with pytest.raises(
+        MachineError, match=r'C\.limits: .*add "limits": \{"min": -30, "max": 110\}.* -99999 and'
+    ):
+        load_machine(written(tmp_path, lambda data: data["machine"]["axes"]["C"].pop("limits")))
+    with pytest.raises(MachineError, match=r'X\.limits: .*add "limits": .*own limits$'):
+        load_machine(written(tmp_path, lambda data: data["machine"]["axes"]["X"].pop("limits")))
+
+
+def test_a_slip_in_the_json_is_corrected_where_it_stands(tmp_path):
+    path = written(tmp_path, lambda data: None)
+    path.write_text(path.read_text().replace('"version": 1', '"version": 1,'))
+    with pytest.raises(
+        MachineError, match=r"not JSON \(.*line 1 column .*correct that place in a text editor"
+    ):
+        load_machine(path)
+
+
 @pytest.mark.parametrize(
     "name", ["missing.fcm", "no/such/folder/m.fcm", "nul\0byte.fcm", "x" * 5000 + ".fcm"]
 )

@@ -181,6 +181,20 @@ def test_limits_come_from_the_joint_or_else_the_axis_and_of_rotary_axes_the_narr
     assert import_machine(str(free)).machine.axes[0].low == -math.inf
 
 
+def test_a_rotary_axis_without_either_limit_turns_without_end_and_that_is_stated(write) -> None:
+    """As LinuxCNC's own four-axis simulations have it; one limit alone is still refused."""
+    found = import_machine(str(write(swap={"MIN_LIMIT = -36000\nMAX_LIMIT = 36000\n": ""})))
+    axis = found.machine.axes[0]
+    assert (axis.letter, axis.low, axis.high) == ("C", -math.inf, math.inf)
+    notes = [one for one in found.findings if one.code == "axis-endless"]
+    assert [one.severity for one in notes] == [Severity.NOTE] and "gives C neither" in notes[0].text
+    assert "axis-endless" not in [one.code for one in import_machine(str(write())).findings]
+    with pytest.raises(MachineError, match="MIN_LIMIT is missing; axis X"):
+        import_machine(
+            str(write(swap={"MIN_LIMIT = -300\nMAX_LIMIT = 300\nMAX_VELOCITY = 333": "MAX_VELOCITY = 333"}))
+        )
+
+
 def test_the_lower_acceleration_counts_and_none_need_be_given(write, tmp_path) -> None:
     """[JOINT_0] 400 and [AXIS_X] 250 mm/s^2 for X, [JOINT_4] 90 deg/s^2 for C alone, nothing for Y."""
     swap = {

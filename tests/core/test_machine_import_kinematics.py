@@ -319,6 +319,14 @@ def test_trivkins_without_coordinates_has_the_axes_of_traj_and_nine_joints(tmp_p
     assert [axis.letter for axis in imported.machine.fitted] == ["B", "X", "Y", "Z"]
 
 
+def test_trivkins_with_two_rotary_axes_names_the_shipped_machines_to_begin_with(tmp_path) -> None:
+    with pytest.raises(MachineError, match=r"with these axes \(fork_head_bc, ") as caught:
+        import_machine(write(tmp_path, "trivkins coordinates=xyzbc", "XYZBC", ""))
+    assert "trunnion_bc" in str(caught.value) and "trunnion_ac" not in str(caught.value)
+    with pytest.raises(MachineError, match="describe the machine by hand"):
+        import_machine(write(tmp_path, "trivkins coordinates=xyzab", "XYZAB", ""))
+
+
 @pytest.mark.parametrize(
     ("letters", "words"),
     [

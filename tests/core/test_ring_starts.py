@@ -15,7 +15,7 @@ from revolved import solid_of_revolution
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.machine.kinematics import forward
 from freecad_fiveaxis.core.passes import slice_field
-from freecad_fiveaxis.core.passes.ring_starts import begin_at, find_closed, find_start
+from freecad_fiveaxis.core.passes.ring_starts import begin_at, find_closed, find_start, find_turn, reverse
 from freecad_fiveaxis.core.pipeline import begin_rings, job, milling
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
@@ -162,6 +162,51 @@ def test_rings_on_a_dome_are_cut_without_turning_back_where_the_axis_has_a_turn_
     assert marks(before) > 1
     seen = [{tuple(row) for row in one.contact.point.round(9).tolist()} for one in (result, before)]
     assert seen[0] == seen[1]
+
+
+def test_rings_round_a_prism_run_to_and_fro_and_the_axis_turns_back_no_more(tmp_path, monkeypatch):
+    """A hexagon: the tour of its rings takes some of them twice the same way round."""
+    hexagon = solid_of_revolution([(0.0, 0.0), (12.0, 0.0), (12.0, -15.0), (0.0, -15.0)], 6)
+    options = {
+        "machine": machine_file(tmp_path, -200.0, 200.0),
+        "cutter": "ball:6",
+        "passes": "scallop",
+        "scallop": 0.03,
+    }
+
+    def make(**more):
+        return job.make(build_settings("mill", "hexagon", options | more), mesh=hexagon)
+
+    result = make()
+    assert "rings-reversed" in codes(result) and marks(result) == 0
+    tip, _ = forward(result.kinematics, result.joints.q)
+    np.testing.assert_allclose(tip, result.joints.path.tip, rtol=0.0, atol=2e-4)
+    assert not [one for one in job.prove(result).findings if one.severity == Severity.ERROR]
+    assert "rings-reversed" not in codes(make(order="one_way"))
+    monkeypatch.setattr(begin_rings, "_reverse_rings", lambda context, solved: None)
+    before = make()
+    assert before.joints.rewinds > 3 * result.joints.rewinds
+    assert np.degrees(np.abs(np.diff(before.joints.q[:, 3])).sum()) > 1.2 * np.degrees(
+        np.abs(np.diff(result.joints.q[:, 3])).sum()
+    )
+    seen = [{tuple(row) for row in one.contact.point.round(9).tolist()} for one in (result, before)]
+    assert seen[0] == seen[1]
+
+
+def test_reversed_rings_are_the_same_segments_the_other_way_round():
+    mesh = cone()
+    whole = slice_field(mesh, mesh.vertex[:, 2], [3.0, 6.0])
+    closed = find_closed(whole, np.ones(len(mesh.face), bool))
+    turned = reverse(whole, closed[:1])
+    first, behind = closed[0]
+    assert np.array_equal(turned.point[first:behind], whole.point[first:behind][::-1])
+    assert np.array_equal(turned.face[first:behind], whole.face[first:behind][::-1])
+    assert np.array_equal(turned.point[behind:], whole.point[behind:])
+    word = np.radians(np.arange(0.0, 360.0, 7.5))
+    assert find_turn(word) == pytest.approx(2.0 * math.pi) and find_turn(-word) == pytest.approx(
+        -2.0 * math.pi
+    )
+    assert find_turn(np.sin(word)) == pytest.approx(0.0)
 
 
 def test_rings_all_one_way_turn_back_between_them_only(tmp_path):

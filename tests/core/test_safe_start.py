@@ -323,6 +323,26 @@ def test_a_plane_beyond_the_travel_is_lowered_to_it_and_stated(tmp_path):
     assert f"\nG0 Z{found[0].limit:.4f}\n".encode() in result.nc and found[0].limit == 500.0 - 450.0 - 20.0
 
 
+def test_a_plane_beyond_the_travel_is_never_lower_than_the_places_where_the_program_begins_and_ends(tmp_path):
+    # Z ends 10 mm above the work zero, the path at 60 mm: from its last place Z must not come down in rapid
+    upright = ((0.0, 0.0, 1.0), (0.0, 0.0, 1.0))
+    result = posted(tmp_path, SafeStart(), axes=upright, tool_length=20.0, origin="0,0,470")
+    ends = result.program.words[[0, -1], 2]
+    (found,) = [one for one in result.findings if one.code == "safe-start-beyond-limit"]
+    assert found.limit == 10.0 < ends.max() <= found.value
+    assert [float(z) for z in re.findall(rb"\nG0 Z([\d.-]+)\n", result.nc)] == [round(ends.max(), 4)] * 2
+    assert f"begins and ends at Z {ends.max():.4f}" in found.text and "--origin" in found.text
+
+
+@pytest.mark.parametrize(("z", "down"), [(-1.0, True), (300.0, False)])
+def test_a_retract_to_a_machine_position_below_the_last_place_is_a_warning(z, down, tmp_path):
+    result = posted(tmp_path, SafeStart("machine", z))
+    found = [one for one in result.findings if one.code == "retract-downwards"]
+    assert [one.severity for one in found] == [Severity.WARNING] * down
+    for one in found:
+        assert one.value == z - 90.0 < one.limit == result.program.words[[0, -1], 2].max()
+
+
 def test_a_start_from_below_through_the_part_is_an_error(tmp_path):
     lean = math.radians(-20.0)
     down = (math.cos(lean), 0.0, math.sin(lean))

@@ -220,6 +220,12 @@ class Code(str, Enum):
         "no link within the travel goes round a body of the machine",
     )
     RAPIDS_DIVIDED = "rapids-divided", NOTE, "1", "rapids were divided, so that every way of the axes is free"
+    RETRACT_DOWNWARDS = (
+        "retract-downwards",
+        WARNING,
+        "mm",
+        "the retract to a machine position goes below where the program begins or ends",
+    )
     RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
     REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut, with the tool retracted"
     REWINDS = "rewinds", WARNING, "1", "how many times a rotary axis turns back inside a cut"
@@ -234,6 +240,12 @@ class Code(str, Enum):
         NOTE,
         "1",
         "closed passes begin where a rotary axis has room",
+    )
+    RINGS_REVERSED = (
+        "rings-reversed",
+        NOTE,
+        "1",
+        "closed passes run by turns one way and the other, within a rotary axis' limits",
     )
     ROWS_MERGED = "rows-merged", NOTE, "1", "rows of passes that are close together were merged"
     LIMIT = "limit", ERROR, "mm", "an axis leaves its limits"
@@ -539,6 +551,7 @@ class Code(str, Enum):
     TOOL_CHOSEN = "tool-chosen", NOTE, "", "the tool that was taken of several"
 
     # ----------------------------------------------------------------------------- machines that are imported
+    AXIS_ENDLESS = "axis-endless", NOTE, "", "the configuration gives a rotary axis no limits"
     AXIS_HELD = "axis-held", WARNING, "", "the kinematics move axes that a machine file cannot hold"
     BASE_FRAME_NOT_USED = (
         "base-frame-not-used",

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import difflib
+
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -24,13 +26,11 @@ DIALECTS: dict[str, Dialect] = {
 def find_dialect(name: str) -> Dialect:
     """Return the dialect of that name, in any case. Raises SettingsError that lists the names."""
     if name.lower() not in DIALECTS:
+        near = difflib.get_close_matches(name.lower(), DIALECTS, n=1)
+        hint = say("did you mean {near}? ", near=near[0]) if near else ""
+        known = say("known are {dialects}", dialects=", ".join(DIALECTS))
         raise SettingsError(
-            say(
-                "unknown controller {name}; known are {dialects}",
-                name=repr(name),
-                dialects=", ".join(DIALECTS),
-            ),
-            name,
+            say("unknown controller {name}; {hint}{known}", name=repr(name), hint=hint, known=known), name
         )
     return DIALECTS[name.lower()]
 

@@ -24,6 +24,7 @@ uses must be there and make sense: a guess about a machine is worse than a quest
 
 from __future__ import annotations
 
+import difflib
 import math
 import reprlib
 from collections.abc import Callable, Mapping
@@ -31,7 +32,7 @@ from typing import Any, Literal
 
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.rapids import RAPIDS
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Sentence, say
 
 from .bodies_file import read_bodies, write_bodies
 from .keys import (
@@ -59,6 +60,8 @@ KINDS = {"linear": False, "rotary": True, "angular": True}  # "angular" is how o
 ROLES = ("table_linear", "table_rotary", "head_linear", "head_rotary")
 FREECAD_VERSION = "26.3.0"
 """The first version with a Machine editor; its format is what is written."""
+LIKE = 0.8
+"""How much alike two keys are (difflib's ratio) of which one is taken as the other misspelt."""
 KEYS = ("type", "role", "parent", "joint", "limits", "max_velocity")
 """What every axis must have."""
 
@@ -131,7 +134,17 @@ def _extra(data: JsonObject, unit: float) -> dict[str, Any]:
         "bodies": lambda key: read_bodies(extra[key], where + key, unit),
         "no_motion": lambda key: get_names(extra, where, key),
     }
+    _check_spelling(extra, tuple(readers), where)
     return {key: read(key) for key, read in readers.items() if key in extra}
+
+
+def _check_spelling(extra: JsonObject, known: tuple[str, ...], where: str) -> None:
+    """Refuse a key that is nearly a known one: dropped in silence, a ``safestart`` would leave the program to
+    begin otherwise than its writer thinks. What resembles none is somebody else's and stays unread."""
+    for key in extra:
+        near = difflib.get_close_matches(key.lower(), known, n=1, cutoff=LIKE) if key not in known else []
+        if near and near[0] not in extra:
+            raise fail(where + key, say("no such key; did you mean {near}?", near=near[0]), extra[key])
 
 
 def _safe_start(given: JsonObject, where: str, unit: float) -> SafeStart:
@@ -163,6 +176,8 @@ def read_axis(letter: str, axes: JsonObject, unit: float) -> Axis:
         )
     side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
     direction, point = read_joint(axis, where, rotary, unit)
+    if "limits" not in axis:
+        raise fail(where + "limits", _say_no_limits(rotary), None)
     limits = get_object(axis, where, "limits")
     low, high = (_limit(get_number(limits, where + "limits.", key), rotary, unit) for key in ("min", "max"))
     rate = _rate(axis, where, "max_velocity", rotary, unit)
@@ -171,6 +186,17 @@ def read_axis(letter: str, axes: JsonObject, unit: float) -> Axis:
     if "max_acceleration" in axis:
         acceleration = _rate(axis, where, "max_acceleration", rotary, unit)
     return Axis(letter, rotary, side, direction, point, low, high, rate, wrap, acceleration)
+
+
+def _say_no_limits(rotary: bool) -> Sentence:
+    example = '"limits": {"min": -30, "max": 110}' if rotary else '"limits": {"min": -200, "max": 200}'
+    if not rotary:
+        return say("the key is missing; add {example} with the axis' own limits", example=example)
+    return say(
+        "the key is missing; add {example} with the axis' own limits; -99999 and 99999 for one that turns "
+        "without end",
+        example=example,
+    )
 
 
 def _rate(axis: JsonObject, where: str, key: str, rotary: bool, unit: float) -> float:

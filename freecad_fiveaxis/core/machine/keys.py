@@ -31,9 +31,10 @@ def parse_json(content: bytes) -> Any:
         raise
     except (ValueError, RecursionError) as error:
         kind = say("is empty") if not content.strip() else say("is not JSON ({error})", error=error)
-        raise MachineError(
-            say("the file {kind}; export the machine from FreeCAD again", kind=kind), content[:60]
-        ) from None
+        remedy = say("export the machine from FreeCAD again")
+        if isinstance(error, json.JSONDecodeError) and content.strip():
+            remedy = say("correct that place in a text editor, or {export}", export=remedy)
+        raise MachineError(say("the file {kind}; {remedy}", kind=kind, remedy=remedy), content[:60]) from None
 
 
 def _no_constant(text: str) -> float:

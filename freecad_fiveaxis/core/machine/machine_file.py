@@ -52,7 +52,8 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
     if (path := machine_path(given)) is not None:
         return _load_file(path)
     names = list_shipped_machines()
-    near = difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
+    beside = [given + SUFFIX] if os.path.isfile(given + SUFFIX) else []
+    near = beside or difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
     hint = say("did you mean {near}? ", near=near[0]) if near else ""
     known = say("known: {names}, or give a {suffix} file", names=", ".join(names), suffix=SUFFIX)
     raise MachineError(

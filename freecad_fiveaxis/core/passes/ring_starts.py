@@ -36,13 +36,23 @@ def find_start(word: Floats, low: float, high: float) -> int:
     """Return the row, an even one, at which a closed polyline best begins: all of its words, rad, given
     ``word`` (n,) but for whole turns, then lie deepest within ``low`` and ``high``. -1 where the words make
     no whole turn along it: it may begin anywhere."""
-    step = np.diff(word, append=word[:1])
-    step -= TURN * np.rint(step / TURN)
+    step = _steps(word)
     net = float(step.sum())
     if abs(net) < math.pi:
         return -1
     way = word[0] + np.concatenate([[0.0], np.cumsum(step[:-1])])
     return 2 * int(_margins(np.concatenate([way, way + net]), len(way), low, high)[::2].argmax())
+
+
+def find_turn(word: Floats) -> float:
+    """Return how far, rad, a closed polyline turns an axis whose words are ``word`` (n,), given but for whole
+    turns: whole turns, or 0."""
+    return float(_steps(word).sum())
+
+
+def _steps(word: Floats) -> Floats:
+    step = np.diff(word, append=word[:1])
+    return np.asarray(step - TURN * np.rint(step / TURN))
 
 
 def _margins(way: Floats, count: int, low: float, high: float) -> Floats:
@@ -62,5 +72,14 @@ def begin_at(contact: ContactPath, closed: Ints, start: Ints) -> ContactPath:
     order = np.arange(len(contact.point))
     for (first, behind), rows in zip(closed.tolist(), start.tolist(), strict=True):
         order[first:behind] = np.roll(order[first:behind], -rows)
+    columns = {name: getattr(contact, name)[order] for name in ("point", "normal", "face", "coedge")}
+    return replace(contact, **columns)
+
+
+def reverse(contact: ContactPath, closed: Ints) -> ContactPath:
+    """Return the passes with the ``closed`` polylines (r, 2) in the other sense; each begins where it did."""
+    order = np.arange(len(contact.point))
+    for first, behind in closed.tolist():
+        order[first:behind] = order[first:behind][::-1]
     columns = {name: getattr(contact, name)[order] for name in ("point", "normal", "face", "coedge")}
     return replace(contact, **columns)

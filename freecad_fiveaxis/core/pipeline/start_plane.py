@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.ranges import ROUNDING
-from freecad_fiveaxis.core.base.sentences import Length, Sentence, join_sentences, say
+from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.gouge.above_bodies import AbovePlane, Clearing, find_clearings
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, zero_words
@@ -52,9 +52,9 @@ def find_start_plane(context: JobContext, program: Program) -> StartPlane:
             sign,
             z,
             say("Give safe_start of the machine file a higher Z."),
-            _beyond_limit(kinematics, z),
+            (*_beyond_limit(kinematics, z), *_downwards(program, sign, start.z, z)),
         )
-    part, found = within_travel(kinematics, _plane_above_part(context, program))
+    part, found = within_travel(kinematics, _plane_above_part(context, program), program.words)
     if context.dialect.guide is not None and by_reference(context.dialect, start):
         return StartPlane(None, found)
     limit = float(kinematics.high[2] if sign > 0.0 else -kinematics.low[2])
@@ -87,6 +87,24 @@ def _beyond_limit(kinematics: Chain, z: float) -> tuple[Finding, ...]:
         limit=Length(limit, bare=True),
     )
     return (report_finding(Code.SAFE_START_BEYOND_LIMIT, text, z, limit),)
+
+
+def _downwards(program: Program, sign: float, position: float, z: float) -> tuple[Finding, ...]:
+    """Warn of a machine position ``position``, mm, whose word ``z`` is below the place where the program
+    begins or ends: the tool would go down to it, or come up from it, past the part."""
+    ends = program.words[[0, -1], 2]
+    highest = float(ends[(sign * ends).argmax()])
+    if sign * (highest - z) <= ROUNDING:
+        return ()
+    text = say(
+        "The program retracts to Z {position} of the machine, which by machine file, work zero and tool "
+        "length is Z {height} of the program, below the place at Z {place} where it begins or ends: the "
+        "retract goes down, in rapid. Give safe_start of the machine file a higher Z, or say where the part "
+        "stands ({origin}).",
+        position=Length(position, bare=True), height=Length(z, bare=True), place=Length(highest, bare=True),
+        origin=Option("origin"),
+    )  # fmt: skip
+    return (report_finding(Code.RETRACT_DOWNWARDS, text, z, highest),)
 
 
 def _plane_above_part(context: JobContext, program: Program) -> float:

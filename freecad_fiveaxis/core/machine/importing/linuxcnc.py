@@ -7,8 +7,8 @@ module   what a HAL file loads by ``loadrt``, else ``[KINS] KINEMATICS``. ``coor
 axes     those that the module and [TRAJ] COORDINATES have. What a machine file cannot hold stays at 0, and a
          finding says so.
 joint    limits are those of [JOINT_n], of [AXIS_L] where they are missing there; the narrower of both for
-         rotary axes, whose word is the joint in every kinematics. A rate is the lower of both, as is an
-         acceleration, which may be missing.
+         rotary axes, whose word is the joint in every kinematics; one that has neither turns without end. A
+         rate is the lower of both, as is an acceleration, which may be missing.
 """
 
 from __future__ import annotations
@@ -79,6 +79,7 @@ def _configuration(path: Path) -> tuple[Configuration, tuple[Finding, ...]]:
         *pins.findings,
         *kind.remarks(given),
         *_report_unheld_letters(kind, given, turns),
+        *_report_endless(ini, turns, order),
         *_unread(hal, kind),
     )
     description = f"LinuxCNC's {kind.name}, imported from {path.name}"
@@ -206,8 +207,7 @@ def _unit(ini: IniFile, key: str, known: dict[str, float]) -> float:
 def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> Axis:
     letter, rotary = axis.letter, axis.letter not in "XYZ"
     scale = math.radians(angle) if rotary else length
-    low = max(_numbers(ini, joint, letter, "MIN_LIMIT", both=rotary))
-    high = min(_numbers(ini, joint, letter, "MAX_LIMIT", both=rotary))
+    low, high = (-math.inf, math.inf) if _is_endless(ini, axis, joint) else _limits(ini, axis, joint)
     rate = min(_numbers(ini, joint, letter, "MAX_VELOCITY", both=True))
     acceleration = scale * _acceleration(ini, joint, letter)
     most = UNLIMITED / (angle if rotary else length)
@@ -221,6 +221,32 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
         raise MachineError(
             say("{path}: [JOINT_{joint}], {error}", path=ini.path, joint=joint, error=error), error.value
         ) from error
+
+
+def _is_endless(ini: IniFile, axis: Turn, joint: int) -> bool:
+    """Whether an axis is rotary and has neither limit: LinuxCNC then takes -1e99 and 1e99, as its manual says
+    of axes that turn without end."""
+    keys = ("MIN_LIMIT", "MAX_LIMIT")
+    return axis.letter not in "XYZ" and not any(_read_numbers(ini, joint, axis.letter, key) for key in keys)
+
+
+def _limits(ini: IniFile, axis: Turn, joint: int) -> tuple[float, float]:
+    letter, rotary = axis.letter, axis.letter not in "XYZ"
+    low = max(_numbers(ini, joint, letter, "MIN_LIMIT", both=rotary))
+    return low, min(_numbers(ini, joint, letter, "MAX_LIMIT", both=rotary))
+
+
+def _report_endless(ini: IniFile, turns: tuple[Turn, ...], order: str) -> list[Finding]:
+    endless = [turn.letter for turn in turns if _is_endless(ini, turn, order.index(turn.letter))]
+    if not endless:
+        return []
+    text = say(
+        "{path} gives {letters} neither MIN_LIMIT nor MAX_LIMIT: it turns without end, as LinuxCNC takes it. "
+        "If cables or hoses stop it, write both limits there.",
+        path=ini.path.name,
+        letters=", ".join(endless),
+    )
+    return [report_finding(Code.AXIS_ENDLESS, text)]
 
 
 def _acceleration(ini: IniFile, joint: int, letter: str) -> float:

@@ -16,7 +16,8 @@ from __future__ import annotations
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Sentence, say
+from freecad_fiveaxis.core.machine.machine_file import list_shipped_machines, load_machine
 
 from .record import Given, Kinematics, Turn, X, Y
 
@@ -37,11 +38,7 @@ def _check(given: Given, rotary: list[str]) -> None:
             "without {letters} there is no milling machine; name X, Y and Z", letters=" and ".join(lacking)
         )
     elif len(rotary) > 1:
-        problem = say(
-            "nothing says where {letters} stand and which carries which; describe the machine by hand "
-            "(docs/adding.md)",
-            letters=" and ".join(rotary),
-        )
+        problem = _say_undecided(rotary)
     elif rotary == ["C"]:
         problem = say(
             "C alone is parallel to the tool and never tilts it; leave C out for a machine of three axes"
@@ -56,6 +53,28 @@ def _check(given: Given, rotary: list[str]) -> None:
             ),
             given.letters,
         )
+
+
+def _say_undecided(rotary: list[str]) -> Sentence:
+    """Say what to do with several rotary axes: to begin with a machine that has them."""
+    alike = [name for name in list_shipped_machines() if _letters(name) == rotary]
+    if not alike:
+        return say(
+            "nothing says where {letters} stand and which carries which; describe the machine by hand "
+            "(docs/adding.md)",
+            letters=" and ".join(rotary),
+        )
+    return say(
+        "nothing says where {letters} stand and which carries which; copy the file of a shipped machine "
+        "with these axes ({alike}) and write their lines, signs, limits and rates into it by hand "
+        "(docs/adding.md)",
+        letters=" and ".join(rotary),
+        alike=", ".join(alike),
+    )
+
+
+def _letters(name: str) -> list[str]:
+    return sorted(axis.letter for axis in load_machine(name).rotary if axis.fitted)
 
 
 def _remarks(given: Given) -> tuple[Finding, ...]:

@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freez
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Point, say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, inverse_axis, joint_words
-from freecad_fiveaxis.core.motion.short_travel import say_remedy_beyond_limit
+from freecad_fiveaxis.core.motion.short_travel import find_aside, say_remedy_beyond_limit
 from freecad_fiveaxis.core.tool.body import Body, Piece
 from freecad_fiveaxis.core.toolpath.cl_path import SAFE_MARGIN, CLPath, Motion
 
@@ -382,6 +382,7 @@ def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding
                         q[:, axis],
                         float(kinematics.low[axis]),
                         float(kinematics.high[axis]),
+                        find_aside(kinematics, path.tip),
                     ),
                 )
                 x, y, z = path.tip[worst].tolist()

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, measure, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
-from freecad_fiveaxis.core.motion.short_travel import say_remedy_beyond_limit
+from freecad_fiveaxis.core.motion.short_travel import find_aside, say_remedy_beyond_limit
 
 from .commanded_moves import Steps, most_off
 
@@ -134,7 +134,8 @@ def _choose_remedy(kinematics: Chain, words: Floats, k: int) -> Sentence:
     """Return what helps where axis ``k`` leaves its limits."""
     if k < 3:
         low, high = float(kinematics.low[k]), float(kinematics.high[k])
-        return say_remedy_beyond_limit(kinematics.letters[k], words[:, k], low, high)
+        aside = find_aside(kinematics, forward(kinematics, words_to_q(words))[0])
+        return say_remedy_beyond_limit(kinematics.letters[k], words[:, k], low, high, aside)
     return say("move the work zero ({origin}) or take a larger machine.", origin=Option("origin"))
 
 

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.columns import cos_sin
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Length, say
+from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.machine.kinematics.serial_chain import turn
 
@@ -83,17 +83,37 @@ def upwards(kinematics: Chain, angles: Floats) -> Floats:
     return up
 
 
-def within_travel(kinematics: Chain, height: float) -> tuple[float, tuple[Finding, ...]]:
-    """Return the height, or the limit of Z where that is lower, and what there is to say of it."""
+def within_travel(kinematics: Chain, height: float, words: Floats) -> tuple[float, tuple[Finding, ...]]:
+    """Return the height, or the limit of Z where that is lower, and what there is to say of it; never a
+    height below the words (m, 5) with which the program begins and ends, for from there Z would come down
+    into the part."""
     low, high = float(kinematics.low[2]), float(kinematics.high[2])
     if low <= height <= high:
         return height, ()
+    ends = words[[0, -1], 2].tolist()
     limit = high if height > high else low
-    text = say(
+    reached = max(high, *ends) if height > high else min(low, *ends)
+    text = _say_beyond_travel(height, limit) if reached == limit else _say_ends_beyond(height, limit, reached)
+    return reached, (report_finding(Code.SAFE_START_BEYOND_LIMIT, text, height, limit),)
+
+
+def _say_beyond_travel(height: float, limit: float) -> Sentence:
+    return say(
         "The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit}:"
         " the program begins and ends at that limit. Watch the first moves, or set the machine file's "
         "safe_start to machine or reference.",
         height=Length(height, bare=True),
         limit=Length(limit, ".4g", bare=True),
     )
-    return limit, (report_finding(Code.SAFE_START_BEYOND_LIMIT, text, height, limit),)
+
+
+def _say_ends_beyond(height: float, limit: float, reached: float) -> Sentence:
+    return say(
+        "The plane above the part at which the rotary axes turn lies at Z {height}, beyond the limit {limit},"
+        " and the first or the last place of the path too: the program begins and ends at Z {reached}. Move "
+        "the work zero ({origin}) so that Z reaches the part.",
+        height=Length(height, bare=True),
+        limit=Length(limit, ".4g", bare=True),
+        reached=Length(reached, ".4f", bare=True),
+        origin=Option("origin"),
+    )

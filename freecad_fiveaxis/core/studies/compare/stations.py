@@ -77,7 +77,8 @@ class Row:
     mm beyond linear limits. ``problem``: why there are no figures (then NaN), or empty. ``fixtures``: what
     hits a fixture or comes too near to one, None: there are none to look at. ``part``: what the program
     enters of part and table, None: that was not looked at; ``left_out``: the share, 0 to 1, of the surface
-    asked for that the machine does not cut; ``length`` mm: how far the driven point goes in feed blocks.
+    asked for that the machine does not cut; ``length`` mm: how far the driven point goes in feed blocks;
+    ``imagined``: the name of the controller, where it would have to guide the tip and cannot, else empty.
     """
 
     machine: str
@@ -97,6 +98,7 @@ class Row:
     part: tuple[Finding, ...] | None = None
     left_out: float = 0.0
     length: float = math.nan
+    imagined: str = ""
 
 
 def station(
@@ -195,7 +197,12 @@ def _rows(
     if where.refused:
         return [Row(where.name, name, one, letters, problem=where.refused) for one in guided]
     drives = _Drives(path, where, cure, progress)
-    return [_row(drives, name, one, progress) for one in guided]
+    rows = (_row(drives, name, one, progress) for one in guided)
+    dialect = where.posting.dialect
+    return [
+        replace(row, imagined=dialect.name) if one and not dialect.guides else row
+        for one, row in zip(guided, rows, strict=True)
+    ]
 
 
 class _Drives:

@@ -207,7 +207,7 @@ def _name_best(rows: Sequence[Row], tolerance: float | None) -> Sentence:
         return say(
             "Nothing here holds {tolerance} within the limits of its machine.", tolerance=Length(tolerance)
         )
-    best = min(good, key=lambda row: row.time)
+    best = min([row for row in good if not row.imagined] or good, key=lambda row: row.time)
     held = plural(
         len(good),
         "1 of {all} ways holds {tolerance}; the quickest is {way}, {time}.",
@@ -217,8 +217,22 @@ def _name_best(rows: Sequence[Row], tolerance: float | None) -> Sentence:
         way=_name(best),
         time=duration(best.time),
     )
-    guided = sum(row.tool_centre for row in good)
-    return join_sentences((held, _say_guided(guided))) if guided else held
+    guided = sum(row.tool_centre and not row.imagined for row in good)
+    imagined = [row.imagined for row in good if row.imagined]
+    return join_sentences((held, *([_say_guided(guided)] if guided else []), *_say_imagined(imagined)))
+
+
+def _say_imagined(names: Sequence[str]) -> list[Sentence]:
+    """Say in how many ways the controller would do what it cannot, by the ``names`` of controllers."""
+    if not names:
+        return []
+    one = plural(
+        len(names),
+        "In 1 of these the controller would have to guide the tip, which {names} cannot.",
+        "In {count} of these the controller would have to guide the tip, which {names} cannot.",
+        names=", ".join(dict.fromkeys(names)),
+    )
+    return [one]
 
 
 def _say_guided(count: int) -> Sentence:

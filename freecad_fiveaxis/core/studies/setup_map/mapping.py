@@ -183,8 +183,11 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
         over = min(one.over for one in found)
         text = say(
             "No work zero of the setup region keeps the linear axes within their limits: they are exceeded "
-            "by {over} at least. Widen the region, turn the part, or take a larger machine.",
+            "by {over} at least. Widen the region ({region}), begin with a work zero that brings the part "
+            "near the rotary axes ({origin}), turn the part, or take a larger machine.",
             over=Length(over, ".4g"),
+            origin=Option("origin"),
+            region=Option("region"),
         )
         yield report_finding(Code.NO_SETUP_WITHIN_LIMITS, text, over, 0.0)
         return
