@@ -95,8 +95,6 @@ KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
 def plain(text: bytes, notes: Notes) -> bytes:
     """Return the text, in capitals and without comments, as ISO words with the private letters; every line
     stays where it is."""
-    if b"~" in text:
-        text = CONTINUED.sub(_one_line, text)
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
     text = RETRACT.sub(lambda found: _note_word(found, codes.HOME, notes), text) if b"M140" in text else text
@@ -116,6 +114,11 @@ def plain(text: bytes, notes: Notes) -> bytes:
         text = PARAMETER.sub(lambda found: _note_word(found, codes.MACRO, notes), text)
     text = _words(text, notes).replace(b" L ", b" G1").replace(b" LN ", b" G1 ")
     return LINE.sub(rb"\1G1", text) if b"L" in text else text
+
+
+def join_lines(text: bytes) -> bytes:
+    """Return the text with each function that goes on over several lines (~) in its first one."""
+    return CONTINUED.sub(_one_line, text) if b"~" in text else text
 
 
 def with_unit(whole: bytes, text: bytes) -> bytes:
@@ -142,9 +145,10 @@ def _words(text: bytes, notes: Notes) -> bytes:
 
 
 def _one_line(found: re.Match[bytes]) -> bytes:
-    """Return a function over several lines: its first line, the others blank."""
-    first, *others = found[0].split(b"\n")
-    return b"\n".join([first.replace(b"~", b" "), *(b" " * len(line) for line in others)])
+    """Return a function over several lines as its first line, with empty ones behind it and as long as
+    before."""
+    lines = found[0].split(b"\n")
+    return b" ".join(line.replace(b"~", b"", 1) for line in lines) + b"\n" * (len(lines) - 1)
 
 
 def _blank(found: re.Match[bytes]) -> bytes:
