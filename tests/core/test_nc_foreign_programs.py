@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from test_nc_cycles import errors, path, read
 
@@ -43,3 +44,87 @@ def test_a_machine_position_by_supa_between_blocks_is_named_as_g53_is() -> None:
     assert "SUPA" in str([found.text for found in supa.findings])
     retract = read(SIEMENS + "G1 Z1\nSUPA G0 Z0 D0\nM30\n", "siemens840d")
     assert codes_of(retract) == {}
+
+
+def minutes(program) -> list[float]:
+    return (program.seconds[1:] / 60.0).tolist()
+
+
+def test_in_inches_f_of_rotary_axes_alone_is_in_degrees_a_minute() -> None:
+    text = "G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 A90. F45.\nX1. F10.\nG21 A0\nG20 A90. C90.\nM30\n"
+    for controller in ("linuxcnc", "haas", "mach3", "fanuc"):
+        program = read(text, controller)
+        assert minutes(program) == pytest.approx([2.0, 0.1, 9.0, 9.0 * 2**0.5])
+        assert program.feed[1:].tolist() == pytest.approx([45, 254, 10, 10])
+
+
+def test_where_f_is_measured_over_all_axes_a_degree_counts_as_an_inch() -> None:
+    """B-63324EN, 4.3: X and the angle make the way, each in the unit of F."""
+    text = "G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X3. A4. F2.\nG21 X0 A0 F254\nM30\n"
+    assert minutes(read(text, "fanuc")) == pytest.approx([2.5, np.hypot(76.2, 4.0) / 254.0])
+    assert minutes(read(text, "haas")) == pytest.approx([1.5, 0.3])
+    assert minutes(read(text.replace("G94", "G93"), "fanuc"))[0] == 0.5
+
+
+def test_klartext_in_inches_has_f_in_tenths_of_an_inch() -> None:
+    head = "BEGIN PGM A INCH\nTOOL CALL 1 Z S1000 F50\nL X+0 Y+0 Z+2 A+0 C+0 R0 FMAX\n"
+    program = read(head + "L X+1\nL X+2 F100\nL A+90\nEND PGM A INCH\n", "heidenhain")
+    assert program.feed[1:].tolist() == pytest.approx([127, 254, 100])
+    assert minutes(program) == pytest.approx([0.2, 0.1, 0.9])
+
+
+def length(program) -> float:
+    return float(np.linalg.norm(np.diff(program.words[:, :3], axis=0), axis=1).sum())
+
+
+def test_an_arc_of_linuxcnc_goes_round_as_often_as_p_says() -> None:
+    text = "G1 Z0\nG2 X0 Y0 Z-6 I5 J0 P3\nG3 X10 Y0 R5 P2\nG2 X0 Y0 R5\nM2\n"
+    way = 20 + 3 * np.hypot(10 * np.pi, 2) + 1.5 * 10 * np.pi + 5 * np.pi
+    for controller in ("linuxcnc", "grbl"):
+        assert length(read(ISO + text, controller)) == pytest.approx(way, abs=0.05)
+    assert length(read(ISO + text, "fanuc")) == pytest.approx(
+        20 + np.hypot(10 * np.pi, 6) + 10 * np.pi, abs=0.05
+    )
+
+
+def test_p_of_another_word_in_the_line_of_an_arc_is_no_turn() -> None:
+    text = ISO + "{} G2 X0 Y0 I5 J0\nM2\n"
+    for word in ("G64 P0.01", "M64 P3", "M67 E0 Q2", "G4 P3\n"):
+        assert length(read(text.format(word), "linuxcnc")) == pytest.approx(10 * np.pi, abs=0.05)
+
+
+@pytest.mark.parametrize("controller", ["linuxcnc", "grbl"])
+@pytest.mark.parametrize("line", ["G43.1 Z100", "G43.1 X1 Z10", "G43.2 X1 Z10", "G43.2 H3"])
+def test_the_words_of_a_length_are_no_move(controller: str, line: str) -> None:
+    assert path(read(f"{ISO}{line}\nG0 X5\nG49\nX6\nM2\n", controller)) == ["r 5 0 20", "r 6 0 20"]
+
+
+@pytest.mark.parametrize(
+    ("controller", "line", "code"),
+    [
+        ("fanuc", "G51.1 X0. Y5.", "offset"), ("fanuc", "G51 X0. Y9. Z0. P2000", "offset"), ("fanuc", "G50.1 X0", "offset"),
+        ("haas", "G101 X9.", "offset"), ("haas", "G143 H1", "offset"), ("fanuc", "G54.2 P1", "offset"), ("fanuc", "G43.1 H1", "offset"),
+        ("mach3", "G68 X3 Y9 R30", "offset"), ("fanuc", "G7.1 C20.", "polar"), ("haas", "G107 A0 Y9. R2.", "polar"),
+        ("haas", "G12 I5. D1", "cycle"), ("mach3", "G13 I5", "cycle"), ("haas", "G150 P1 X9. Z-5. R2. Q1. J1.", "cycle"), ("haas", "G47 P0 X9. Z-.1 J5.", "cycle"),
+        ("haas", "G70 I10. J0. L4", "cycle"), ("haas", "G72 I10. J0. K5. L4", "cycle"), ("fanuc", "G31 Z-5. F50", "cycle"), ("fanuc", "G37 Z-5.", "cycle"),
+        ("linuxcnc", "G5.1 I1 J3 X5 Y5", "spline"),
+    ],
+)  # fmt: skip
+def test_what_turns_mirrors_scales_or_makes_a_pocket_is_an_error_and_its_words_are_no_move(
+    controller: str, line: str, code: str
+) -> None:
+    program = read(f"{ISO}{line}\nG1 X6.\nM30\n", controller)
+    assert errors(program) == [f"{code}-not-interpreted"]
+    assert program.findings[[one.code for one in program.findings].index(errors(program)[0])].line == 3
+    first = line.split()[0]
+    assert first in next(one.text for one in program.findings if one.code.startswith(code))
+    assert path(program)[-1] == ("f 6 5 20" if code == "spline" else "f 6 0 20")
+
+
+def test_work_offsets_of_haas_are_known_and_a_second_one_is_told() -> None:
+    one, two = (read(f"G110\n{ISO}{line}\nG1 X5.\nM30\n", "haas") for line in ("G110", "G129"))
+    assert codes_of(one) == {} and list(codes_of(two)) == ["work-offset-change"]
+
+
+def test_smoothing_of_fanuc_is_no_spline() -> None:
+    assert codes_of(read(ISO + "G05.1 Q1 R3\nG1 X5.\nG05.1 Q0\nM30\n", "fanuc")) == {}
