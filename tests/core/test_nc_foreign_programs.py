@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from test_nc_cycles import errors, path, read
+from test_nc_cycles import LINKS, errors, path, read
 
 from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.nc.reader import Assumed, read_nc
 
 ISO = "G21 G90 G94 F100\nG0 X0. Y0. Z20. A0. C0.\n"
 SIEMENS = "G71 G90 G94 F100\nG0 X0 Y0 Z20 A0 C0\n"
@@ -121,10 +123,89 @@ def test_what_turns_mirrors_scales_or_makes_a_pocket_is_an_error_and_its_words_a
     assert path(program)[-1] == ("f 6 5 20" if code == "spline" else "f 6 0 20")
 
 
-def test_work_offsets_of_haas_are_known_and_a_second_one_is_told() -> None:
+def test_work_offsets_of_haas_are_known_and_a_second_one_is_named() -> None:
     one, two = (read(f"G110\n{ISO}{line}\nG1 X5.\nM30\n", "haas") for line in ("G110", "G129"))
     assert codes_of(one) == {} and list(codes_of(two)) == ["work-offset-change"]
 
 
 def test_smoothing_of_fanuc_is_no_spline() -> None:
     assert codes_of(read(ISO + "G05.1 Q1 R3\nG1 X5.\nG05.1 Q0\nM30\n", "fanuc")) == {}
+
+
+def test_a_second_work_offset_is_named_where_it_comes_into_force() -> None:
+    program = read(f"G54\n{ISO}G1 X5.\nG54.1 P2 G0 X0\nG54\nG55\nX1.\nM30\n", "fanuc")
+    (found,) = [one for one in program.findings if one.code == "work-offset-change"]
+    assert found.line == 5 and "3 work offsets: G54 (1), G54.1 P2 (5), G55 (7)" in found.text
+
+
+@pytest.mark.parametrize(
+    ("controller", "text"),
+    [
+        ("fanuc", "G4 P500\nG1 X5.\nG4 X2.\nM30\n"), ("siemens840d", "G4 F2\nG1 X5\nG4 S30\nM30\n"),
+        ("heidenhain", "CYCL DEF 9.0 DWELL\nCYCL DEF 9.1 DWELL 2\nL X+5 F100\nFUNCTION DWELL TIME3\nEND PGM A MM\n"),
+    ],
+)  # fmt: skip
+def test_a_dwell_is_in_no_time_and_that_is_noted(controller: str, text: str) -> None:
+    head = {"fanuc": ISO, "siemens840d": SIEMENS, "heidenhain": KLARTEXT}[controller]
+    program = read(head + text, controller)
+    (found,) = [one for one in program.findings if one.code == "dwell"]
+    assert found.severity is Severity.NOTE and found.line == 3 and program.seconds.sum() == pytest.approx(3)
+
+
+@pytest.mark.parametrize("line", ["/L X+5 F100", "/ L X+5 F100", "/14 L X+5 F100", "14 /L X+5 F100"])
+def test_a_klartext_line_may_begin_with_block_skip_and_no_blank(line: str) -> None:
+    for before in ("", "Q1=5\n"):
+        text = before + line.replace("+5", "+Q1") if before else line
+        program = read(f"{KLARTEXT}{text}\n/CC X+0 Y+0\n/C X-5 Y+0 DR+\nEND PGM A MM\n", "heidenhain")
+        assert path(program)[0] == "f 5 0 20" and path(program)[-1] == "f -5 0 20"
+        assert [one.code for one in program.findings] == ["block-skip"] and len(program.words) > 20
+
+
+def test_klartext_arcs_lie_in_the_plane_across_the_tool() -> None:
+    """DR+ goes with the right hand about the tool's axis: from X to -Z about Y, from Y to Z about X."""
+    arcs = (
+        ("Y", "X", "Z", -1.0),
+        ('"F 8 Z" X S100', "Y", "Z", 1.0),
+        ("5 Z", "X", "Y", 1.0),
+        ("S500", "X", "Y", 1.0),
+    )
+    for call, first, second, sense in arcs:
+        text = f"TOOL CALL {call}\nL {first}+10 {second}+0 F100\nCC {first}+0 {second}+0\nC {first}-10 {second}+0 DR+\n"
+        program = read(KLARTEXT + text + "END PGM A MM\n", "heidenhain")
+        middle = program.words[1 + (len(program.words) - 1) // 2]
+        assert not errors(program)
+        assert middle["XYZ".index(second)] * sense == pytest.approx(10.0, abs=0.01)
+
+
+def test_what_klartext_measures_from_another_point_is_an_error() -> None:
+    for line in (
+        "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CENTER-CENTER",
+        "M144",
+        "L Z+20 FMAX M130",
+    ):
+        program = read(f"{KLARTEXT}L X+1 F100\n{line}\nL X+2 F100\nEND PGM A MM\n", "heidenhain")
+        assert errors(program) == ["offset-not-interpreted"]
+    tip = "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT TIP-TIP\n"
+    assert not errors(read(f"{KLARTEXT}{tip}L X+2 F100\nEND PGM A MM\n", "heidenhain"))
+
+
+def test_a_hole_along_another_axis_is_not_written_along_z() -> None:
+    text = "TOOL CALL 5 {} S100\nCYCL DEF 200 DRILLING ~\nQ200=2 ~\nQ201=-3 ~\nQ206=150 ~\nQ202=4 ~\nQ203=0 ~\nQ204=9\nL X+5 FMAX M99\nEND PGM A MM\n"
+    along_y = read(KLARTEXT + text.format("Y"), "heidenhain")
+    assert errors(along_y) == ["cycle-not-interpreted"] and along_y.words[:, 2].tolist() == [20, 20]
+    assert read(KLARTEXT + text.format("Z"), "heidenhain").words[:, 2].min() == -3
+
+
+def test_f_under_g70_is_in_the_basic_system_of_the_control_and_under_g700_in_inches() -> None:
+    text = "{} G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X1 F254\nA90 F90\nMCALL CYCLE84(1,0,.1,-.9,,,,,2,,100)\nX2\nMCALL\nM30\n"
+    g70, g700, basic = (
+        read_nc(text.format(unit).encode(), LINKS, DIALECTS["siemens840d"], assumed=Assumed(units=units))
+        for unit, units in (("G70", "file"), ("G700", "file"), ("G70", "inch"))
+    )
+    assert minutes(g70)[:2] == pytest.approx([0.1, 1.0])
+    assert minutes(g700)[:2] == minutes(basic)[:2] == pytest.approx([0.1 / 25.4, 1.0])
+    (found,) = [one for one in g70.findings if one.code == "units-not-said"]
+    assert found.line == 3 and "G700" in found.text
+    assert {one.code for one in (*g700.findings, *basic.findings)}.isdisjoint({"units-not-said"})
+    threads = [one.seconds[4:].sum() for one in (g70, g700, basic)]
+    assert np.ptp(threads) == pytest.approx(0.0, abs=1e-9), "a thread takes its pitch times the speed"

@@ -226,7 +226,10 @@ WAY: Kind = (
     say("rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words"),
 )
 
+DWELL_KIND: Kind = (Code.DWELL, say("dwells; their time is in no time that is told here"))
+
 CODES: dict[int, Kind] = {
+    DWELL: DWELL_KIND,
     **dict.fromkeys(CYCLES, CYCLE_KIND),
     **dict.fromkeys(SPLINES, SPLINE),
     **dict.fromkeys((650, 660, 661), CALL),
@@ -274,6 +277,8 @@ ISO = Grammar(
     CODES,
     {97: CALL, 98: CALL, 198: CALL}, guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
+LENGTHS_ALONE = (700, 710)
+"""G70 and G71 of Siemens: units that F does not heed."""
 _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0,
     6450: 0, 500: 0,
@@ -299,6 +304,7 @@ SIEMENS = Grammar(
         **dict.fromkeys((*POLES, 580, 590), SHIFT),
         **dict.fromkeys((410, 420), RADIUS),
         950: PER_TURN_KIND,
+        DWELL: DWELL_KIND,
     },
     {},
     ends=(2, 17, 30),
@@ -314,8 +320,8 @@ HEIDENHAIN = Grammar(
     {210: 0, 200: 1},
     say("neither MM nor INCH in BEGIN PGM"),
     frozenset({*HARMLESS, PER_TURN_M} - {530}),
-    {530: SHIFT},
-    {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL},
+    {530: SHIFT, DWELL: DWELL_KIND},
+    {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL, 130: SHIFT, 144: SHIFT},
     ends=(2, 30),
     inch_feed=0.1 * INCH,
     dwell="FPXU",

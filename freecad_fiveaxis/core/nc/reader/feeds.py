@@ -90,7 +90,7 @@ def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
 def _find_units(source: Source, mode: Ints) -> Floats:
     """Return the mm (lines,) that F counts in each line."""
     per_minute = np.where(mode == codes.PER_MINUTE, source.grammar.inch_feed, INCH)
-    return np.where(source.lines.inch(source.grammar), per_minute, 1.0)
+    return np.where(source.lines.inch_feed(source.grammar), per_minute, 1.0)
 
 
 def _turns_alone(motions: Moves) -> Bools:
