@@ -4892,8 +4892,8 @@
         <translation>F sagt {speed}</translation>
     </message>
     <message>
-        <source>F under G70 counts in the control's basic system, mm or inches, which the program does not say; taken as mm. Give {option}, mm or inch, or post G700.</source>
-        <translation>F unter G70 zählt im Grundsystem der Steuerung, mm oder Zoll, was das Programm nicht sagt; als mm genommen. {option} angeben, mm oder inch, oder mit G700 ausgeben.</translation>
+        <source>F under G70 counts in the control's basic system, mm or inches, which the program does not say; taken as inches. Give {option}, mm or inch, or post G700.</source>
+        <translation>F unter G70 zählt im Grundsystem der Steuerung, mm oder Zoll, was das Programm nicht sagt; als Zoll genommen. {option} angeben, mm oder inch, oder mit G700 ausgeben.</translation>
     </message>
     <message>
         <source>FEDRAT needs one feed above 0</source>

@@ -60,6 +60,12 @@ def test_in_inches_f_of_rotary_axes_alone_is_in_degrees_a_minute() -> None:
         assert program.feed[1:].tolist() == pytest.approx([45, 254, 10, 10])
 
 
+def test_a_full_circle_in_inches_keeps_its_f() -> None:
+    for controller in ("linuxcnc", "fanuc"):
+        program = read("G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X1 F10.\nG2 I1. J0.\nM2\n", controller)
+        assert program.seconds.sum() / 60 == pytest.approx(0.1 + 0.2 * np.pi, rel=1e-3)
+
+
 def test_where_f_is_measured_over_all_axes_a_degree_counts_as_an_inch() -> None:
     """B-63324EN, 4.3: X and the angle make the way, each in the unit of F."""
     text = "G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X3. A4. F2.\nG21 X0 A0 F254\nM30\n"
@@ -198,14 +204,16 @@ def test_a_hole_along_another_axis_is_not_written_along_z() -> None:
 
 def test_f_under_g70_is_in_the_basic_system_of_the_control_and_under_g700_in_inches() -> None:
     text = "{} G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X1 F254\nA90 F90\nMCALL CYCLE84(1,0,.1,-.9,,,,,2,,100)\nX2\nMCALL\nM30\n"
-    g70, g700, basic = (
+    metric, g700, g70, basic = (
         read_nc(text.format(unit).encode(), LINKS, DIALECTS["siemens840d"], assumed=Assumed(units=units))
-        for unit, units in (("G70", "file"), ("G700", "file"), ("G70", "inch"))
+        for unit, units in (("G70", "mm"), ("G700", "file"), ("G70", "file"), ("G70", "inch"))
     )
-    assert minutes(g70)[:2] == pytest.approx([0.1, 1.0])
-    assert minutes(g700)[:2] == minutes(basic)[:2] == pytest.approx([0.1 / 25.4, 1.0])
+    assert minutes(metric)[:2] == pytest.approx([0.1, 1.0])
+    for one in (g700, g70, basic):
+        assert minutes(one)[:2] == pytest.approx([0.1 / 25.4, 1.0])
     (found,) = [one for one in g70.findings if one.code == "units-not-said"]
     assert found.line == 3 and "G700" in found.text
-    assert {one.code for one in (*g700.findings, *basic.findings)}.isdisjoint({"units-not-said"})
-    threads = [one.seconds[4:].sum() for one in (g70, g700, basic)]
+    others = (*g700.findings, *basic.findings, *metric.findings)
+    assert {one.code for one in others}.isdisjoint({"units-not-said"})
+    threads = [one.seconds[4:].sum() for one in (metric, g70, g700, basic)]
     assert np.ptp(threads) == pytest.approx(0.0, abs=1e-9), "a thread takes its pitch times the speed"

@@ -94,5 +94,6 @@ def _find_units(source: Source, mode: Ints) -> Floats:
 
 
 def _turns_alone(motions: Moves) -> Bools:
-    """Return the motion lines (m,) in which X Y Z stay."""
-    return np.asarray((motions.before[:, :3] == motions.programmed[:, :3]).all(axis=1))
+    """Return the motion lines (m,) in which X Y Z stay, but no full circle."""
+    stay = (motions.before[:, :3] == motions.programmed[:, :3]).all(axis=1)
+    return np.asarray(stay & (motions.mode != codes.ARC))

@@ -277,7 +277,7 @@ def _report_feeds_under_g70(lines: Lines, grammar: Grammar) -> list[Finding]:
         return []
     text = say(
         "F under G70 counts in the control's basic system, mm or inches, which the program does not say; "
-        "taken as mm. Give {option}, mm or inch, or post G700.",
+        "taken as inches. Give {option}, mm or inch, or post G700.",
         option=Option("units"),
     )
     return [report_finding(Code.UNITS_NOT_SAID, text, float(len(row)), line=int(row[0]), unit="")]

@@ -81,9 +81,10 @@ class Lines:
         return np.asarray(self.mode(grammar.units, int(self.assumed.units == "inch")) == 1)
 
     def inch_feed(self, grammar: Grammar) -> Bools:
-        """Whether F of each line counts inches. Siemens' G70 and G71 leave F to the control's basic system;
-        G700 and G710 count it as lengths (802D sl, 6FC5398-3CP10, 8.2.3)."""
-        if grammar.name != "siemens":
+        """Whether F of each line counts inches. Siemens' G70 and G71 leave F to the control's basic system,
+        which is taken as theirs where nobody has said it; G700 and G710 count it as lengths (802D sl,
+        6FC5398-3CP10, 8.2.3)."""
+        if grammar.name != "siemens" or self.assumed.units == "file":
             return self.inch(grammar)
         basic = int(self.assumed.units == "inch")
         units = {code: basic if code in codes.LENGTHS_ALONE else k for code, k in grammar.units.items()}

@@ -179,8 +179,8 @@ def _depths(values: dict[str, float]) -> list[float]:
 
 @dataclass(frozen=True)
 class Around:
-    """What is in force where a cycle runs: the plane (0 to 2), F, S, feed per turn, mm of a unit of length and
-    of that of F."""
+    """What is in force where a cycle runs: the plane (0 to 2), F, S, feed per turn, mm of a unit of
+    length and of that of F."""
 
     plane: int
     feed: float
