@@ -6432,6 +6432,10 @@
         <translation>eine Achse verlässt ihre Grenzen</translation>
     </message>
     <message>
+        <source>an axis that this machine does not have; its moves are missing here. Choose the program's own machine</source>
+        <translation>eine Achse, die diese Maschine nicht hat; ihre Bewegungen fehlen hier. Die eigene Maschine des Programms wählen</translation>
+    </message>
+    <message>
         <source>an axis would exceed its rate; the block runs slower</source>
         <translation>eine Achse überschritte ihre Geschwindigkeit, der Satz läuft langsamer</translation>
     </message>

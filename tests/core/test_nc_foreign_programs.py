@@ -217,3 +217,23 @@ def test_f_under_g70_is_in_the_basic_system_of_the_control_and_under_g700_in_inc
     assert {one.code for one in others}.isdisjoint({"units-not-said"})
     threads = [one.seconds[4:].sum() for one in (metric, g70, g700, basic)]
     assert np.ptp(threads) == pytest.approx(0.0, abs=1e-9), "a thread takes its pitch times the speed"
+
+
+def test_an_axis_by_its_number_that_this_machine_has_not_is_an_error() -> None:
+    program = read(SIEMENS + "G75 FP=1 Z1=0\nG1 X1=5 C1=-3.5\nG74 X1=0 Y1=0\nX2\nM30\n", "siemens840d")
+    assert errors(program) == ["unknown-axis"]
+    (found,) = [one for one in program.findings if one.code == "unknown-axis"]
+    assert found.line == 4 and "X1 (4)" in found.text and "C1 (4)" in found.text
+    assert read(SIEMENS + "G1 Y1\nX1=5", "siemens840d").findings[-1].line == 4
+
+
+def test_the_inclination_of_a_vector_is_an_error() -> None:
+    text = ISO + "G43.5 H1\nG1 X1. Y0. Z0. I0 J0 K1.{}\nG49\nG83 X1. Z-1. R2. Q1.\nG80\nM30\n"
+    assert errors(read(text.format(" Q2."), "fanuc")) == ["orientation-not-interpreted"]
+    assert not errors(read(text.format(" Q0"), "fanuc")) and not errors(read(text.format(""), "fanuc"))
+
+
+def test_f_of_grbl_in_inches_counts_mm_whatever_moves() -> None:
+    """gcode.c of grbl-Mega-5X: values.f *= MM_PER_INCH."""
+    program = read("G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 A90. F10.\nX1. A0.\nM30\n", "grbl")
+    assert minutes(program) == pytest.approx([90 / 254, np.hypot(25.4, 90) / 254])

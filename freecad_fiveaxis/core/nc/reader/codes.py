@@ -202,6 +202,12 @@ SPATIAL: Kind = (
         "tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"
     ),
 )
+OTHER_AXIS: Kind = (
+    Code.UNKNOWN_AXIS,
+    say(
+        "an axis that this machine does not have; its moves are missing here. Choose the program's own machine"
+    ),
+)
 UNKNOWN: Kind = (Code.UNKNOWN_CODE, say("not known and not interpreted; what it does is missing here"))
 DELTA: Kind = (
     Code.TOOL_DELTA,
@@ -253,8 +259,9 @@ class Grammar:
     ``harmless``, ``codes``, ``m_codes``: what is said of a code; ``ends``: M codes that end the program;
     ``guide_m``: M codes that switch the guide on (1) and off (0); ``dwell``: words that can be the time of
     G4, the first of them that stands in its line is; ``offsets``: work offsets; ``inch_feed``: the mm/min of
-    F1 in a program in inches; ``no_move``, ``machine_m``: G and M codes whose axis words are no move;
-    ``motion``: the modes of motion codes."""
+    F1 in a program in inches; ``inch_degrees``: F of rotary axes alone is in degrees a minute there too;
+    ``no_move``, ``machine_m``: G and M codes whose axis words are no move; ``motion``: the modes of motion
+    codes."""
 
     name: str
     units: Mapping[int, int]
@@ -264,6 +271,7 @@ class Grammar:
     m_codes: Mapping[int, Kind]
     ends: tuple[int, ...] = (2, 30, 99)
     inch_feed: float = INCH
+    inch_degrees: bool = True
     guide_m: Mapping[int, int] | None = None
     dwell: str = "PXUF"
     offsets: tuple[int, ...] = OFFSETS

@@ -4,6 +4,8 @@
 haas      G110 to G129 are work offsets, G70 to G72 circles and rows of holes (NGC mill operator's manual).
 fanuc     G43.1 is a length along the tool's axis, in whose lines X Y Z move (B-63324EN, tool length
           compensation in tool axis direction); elsewhere its words are the length itself (LinuxCNC, grbl).
+grbl      F in a program in inches is made mm a minute whatever moves (gcode.c of grbl-Mega-5X), so that of
+          rotary axes alone is 25.4 times as many degrees.
 turns     LinuxCNC's P of G2 and G3: an arc of P turns, P1 where none is told; grblHAL has it from there.
 """
 
@@ -42,6 +44,8 @@ def grammar_of(language: str, controller: str) -> Grammar:
             harmless=grammar.harmless | frozenset(NUMBERED), offsets=grammar.offsets + NUMBERED,
             no_move=grammar.no_move + HOLES,
         )  # fmt: skip
+    if controller == "grbl":
+        return replace(grammar, inch_degrees=False)
     if controller == "fanuc":
         no_move = tuple(code for code in grammar.no_move if code != ALONG_AXIS)
         return replace(grammar, codes={**grammar.codes, ALONG_AXIS: codes.SHIFT}, no_move=no_move)
@@ -65,6 +69,15 @@ def turn_arcs(
     letter[at] = ord(codes.TURNS)
     value[at] = np.maximum(np.rint(value[at]), 1.0) - 1.0
     return replace(words, letter=letter, value=value), []
+
+
+def name_inclinations(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
+    """Report the inclination Q of a tool that vectors turn (G43.5 of Fanuc), which is not read."""
+    if grammar.name != "iso" or not np.isin(lines.code, codes.VECTORS_ON).any():
+        return words, []
+    group = {**dict.fromkeys((*codes.GUIDE_ON, *codes.GUIDE_OFF), 0), **dict.fromkeys(codes.VECTORS_ON, 1)}
+    row = np.flatnonzero((lines.mode(group, 0) == 1) & (np.nan_to_num(lines.column("Q")) != 0.0))
+    return words, kind_findings(codes.SPATIAL, {"Q of G43.5": (int(row[0]), len(row))}) if len(row) else []
 
 
 def name_quadratic_splines(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:

@@ -65,7 +65,9 @@ def find_feeds(source: Source, motions: Moves) -> tuple[Feeds, list[Finding]]:
     valid = (last > 0) & (last >= changed)  # an F word dies with its feed mode
     feed = np.where(valid[at] & feeding, column[last[at]], 0.0)
     unit = unit[last[at]]
-    if source.grammar.name != "siemens":  # there by what FGROUP names
+    if not source.grammar.inch_degrees:
+        unit = np.ones(len(at))
+    elif source.grammar.name != "siemens":  # there by what FGROUP names
         feed = np.where(_turns_alone(motions), feed / unit, feed)
     inverse: Bools = mode[at] == codes.INVERSE
     own = last[at] == at
