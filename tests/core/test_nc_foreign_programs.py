@@ -237,3 +237,18 @@ def test_f_of_grbl_in_inches_counts_mm_whatever_moves() -> None:
     """gcode.c of grbl-Mega-5X: values.f *= MM_PER_INCH."""
     program = read("G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 A90. F10.\nX1. A0.\nM30\n", "grbl")
     assert minutes(program) == pytest.approx([90 / 254, np.hypot(25.4, 90) / 254])
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("G11 R+10 H+30", "polar"), ("G10 R+10 H+30", "polar"), ("G13 R+10 H+30", "polar"), ("G72 F0.9", "offset"),
+        ("G25 R2", "arc"), ("G24 R2", "arc"),
+    ],
+)  # fmt: skip
+def test_din_iso_of_heidenhain_is_named_where_it_is_not_moved(line: str, code: str) -> None:
+    head = "%A G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\nN20 G31 G90 X+100 Y+100 Z+0*\nN30 G00 G90 X+0 Y+0 Z+9 A+0 C+0*\n"
+    program = read(f"{head}N40 G01 X+1 F100*\nN50 {line}*\nN60 G01 X+2*\nN99 %A G71*\n", "heidenhain")
+    assert errors(program) == [f"{code}-not-interpreted"] and program.words[:, 0].tolist() == [0, 1, 2]
+    assert next(one.line for one in program.findings if one.code.startswith(code)) == 6
+    assert not any("G30" in one.text or "G31" in one.text for one in program.findings)

@@ -205,7 +205,8 @@ SPATIAL: Kind = (
 OTHER_AXIS: Kind = (
     Code.UNKNOWN_AXIS,
     say(
-        "an axis that this machine does not have; its moves are missing here. Choose the program's own machine"
+        "an axis that this machine does not have; its moves are missing here. Choose the program's own "
+        "machine"
     ),
 )
 UNKNOWN: Kind = (Code.UNKNOWN_CODE, say("not known and not interpreted; what it does is missing here"))
@@ -327,8 +328,14 @@ HEIDENHAIN = Grammar(
     "heidenhain",
     {210: 0, 200: 1},
     say("neither MM nor INCH in BEGIN PGM"),
-    frozenset({*HARMLESS, PER_TURN_M} - {530}),
-    {530: SHIFT, DWELL: DWELL_KIND},
+    frozenset({*HARMLESS, PER_TURN_M, 300, 310} - {530}),
+    {
+        530: SHIFT,
+        DWELL: DWELL_KIND,
+        **dict.fromkeys((100, 110, 120, 130, 150, 160), POLAR),
+        **dict.fromkeys((280, 720), SHIFT),
+        **dict.fromkeys((240, 250, 260, 270), ARC_KIND),
+    },  # of DIN/ISO: polar moves, mirror and scale, chamfers, roundings and ways in and out
     {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL, 130: SHIFT, 144: SHIFT},
     ends=(2, 30),
     inch_feed=0.1 * INCH,
