@@ -252,3 +252,11 @@ def test_din_iso_of_heidenhain_is_named_where_it_is_not_moved(line: str, code: s
     assert errors(program) == [f"{code}-not-interpreted"] and program.words[:, 0].tolist() == [0, 1, 2]
     assert next(one.line for one in program.findings if one.code.startswith(code)) == 6
     assert not any("G30" in one.text or "G31" in one.text for one in program.findings)
+
+
+@pytest.mark.parametrize("controller", ["fanuc", "haas"])
+def test_what_a_macro_writes_to_a_port_moves_nothing(controller: str) -> None:
+    text = "POPEN\nN10 DPRNT[X#1[53]*AT*Y[#2]]\n/ BPRNT[C*X#100[3]]\n#1=3.\nG1 X#1\nDPRNT[]\nPCLOS\nM30\n"
+    program = read(ISO + text, controller)
+    assert path(program) == ["f 3 0 20"] and codes_of(program) == {}
+    assert errors(read(ISO + "DPRNT[X#1] G1 X3\nG1 X5.\nM30\n", controller)) == ["macro-not-interpreted"]
