@@ -4900,6 +4900,10 @@
         <translation>F sagt {speed}</translation>
     </message>
     <message>
+        <source>F under G70 counts in the control's basic system, mm or inches, which the program does not say; taken as inches. Give {option}, mm or inch, or post G700.</source>
+        <translation>F unter G70 zählt im Grundsystem der Steuerung, mm oder Zoll, was das Programm nicht sagt; als Zoll genommen. {option} angeben, mm oder inch, oder mit G700 ausgeben.</translation>
+    </message>
+    <message>
         <source>FEDRAT needs one feed above 0</source>
         <translation>FEDRAT braucht einen Vorschub über 0</translation>
     </message>
@@ -5744,8 +5748,8 @@
         <translation>Das Programm nennt {units}; es wird in mm gelesen und fährt dann höchstens {size} mm. Kein F gilt je Minute (unter G93 und G95 nicht), darum verrät keines die Einheit. {option} angeben, mm oder inch.</translation>
     </message>
     <message>
-        <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
-        <translation>Das Programm benutzt {count} Nullpunktverschiebungen; ihr Abstand ist nicht bekannt, und die NC-Sätze dazwischen stimmen nicht.</translation>
+        <source>The program uses {count} work offsets: {names} (with their first lines). Their distance is not known, and the blocks between are not right. Audit each part on its own.</source>
+        <translation>Das Programm verwendet {count} Nullpunktverschiebungen: {names} (mit ihren ersten Zeilen). Ihr Abstand ist nicht bekannt, und die Sätze dazwischen stimmen nicht. Jeden Teil für sich prüfen.</translation>
     </message>
     <message>
         <source>The recommended setup lies on the edge of the region ({edges}); beyond it may be a better one.</source>
@@ -6452,6 +6456,10 @@
         <translation>eine Achse verlässt ihre Grenzen</translation>
     </message>
     <message>
+        <source>an axis that this machine does not have; its moves are missing here. Choose the program's own machine</source>
+        <translation>eine Achse, die diese Maschine nicht hat; ihre Bewegungen fehlen hier. Die eigene Maschine des Programms wählen</translation>
+    </message>
+    <message>
         <source>an axis would exceed its rate; the block runs slower</source>
         <translation>eine Achse überschritte ihre Geschwindigkeit, der Satz läuft langsamer</translation>
     </message>
@@ -6866,6 +6874,14 @@
     <message>
         <source>dwells of drilling cycles are left out</source>
         <translation>Verweilzeiten von Bohrzyklen sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>dwells, whose time is not counted</source>
+        <translation>Verweilzeiten, die nicht gezählt werden</translation>
+    </message>
+    <message>
+        <source>dwells; their time is in no time that is told here</source>
+        <translation>Verweilzeiten; sie sind in keiner der hier genannten Zeiten enthalten</translation>
     </message>
     <message>
         <source>each of its numbers must be {bounds}</source>
@@ -8938,6 +8954,10 @@
     <message>
         <source>the tool length turns with the head only as a W offset</source>
         <translation>die Werkzeuglänge dreht nur als W-Versatz mit dem Kopf</translation>
+    </message>
+    <message>
+        <source>the tool lies along {axis}, and holes are written along Z alone</source>
+        <translation>das Werkzeug liegt längs {axis}, und Bohrungen werden nur längs Z ausgeschrieben</translation>
     </message>
     <message>
         <source>the tool moves over the part at another speed than F</source>

@@ -119,10 +119,12 @@ def test_a_word_of_fanuc_or_haas_that_moves_nothing_is_no_finding(controller: st
     assert kinds(program) == [] and program.words[-1].tolist() == [1, 0, 0, 0, 0]
 
 
-@pytest.mark.parametrize("word", ["G07.1 C10.", "G10.9 X1."])
-def test_a_radius_or_a_way_of_counting_is_no_place(word: str) -> None:
+@pytest.mark.parametrize(
+    ("word", "code"), [("G07.1 C10.", "polar-not-interpreted"), ("G10.9 X1.", "unknown-code")]
+)
+def test_a_radius_or_a_way_of_counting_is_no_place(word: str, code: str) -> None:
     program = iso(f"{word}\nG1 Y1. F100.\n")
-    assert program.words[-1].tolist() == [0, 1, 0, 0, 0] and kinds(program) == [("unknown-code", 3)]
+    assert program.words[-1].tolist() == [0, 1, 0, 0, 0] and kinds(program) == [(code, 3)]
 
 
 @pytest.mark.parametrize(

@@ -437,6 +437,7 @@ class Code(str, Enum):
     CORNER_NOT_INTERPRETED = "corner-not-interpreted", ERROR, "", "roundings, chamfers or angles of a contour"
     CUTTER_FROM_PROGRAM = "cutter-from-program", NOTE, "mm", "the cutter is that which the program names"
     CYCLE_NOT_INTERPRETED = "cycle-not-interpreted", ERROR, "", "cycles, whose moves are missing"
+    DWELL = "dwell", NOTE, "", "dwells, whose time is not counted"
     DATUM_OF_TABLE = "datum-of-table", NOTE, "", "the work zero is a row of the control's table"
     FEED_BY_PARAMETER = "feed-by-parameter", WARNING, "", "a feed is given by a parameter or the tool"
     FEED_OVER_PART = (

@@ -38,6 +38,7 @@ class Blocks:
     feed: Floats
     inverse: Bools
     per_turn: Bools
+    unit: Floats
 
 
 def divide_blocks(motions: Moves, feeds: Feeds, chords: Chords | None) -> Blocks:
@@ -51,6 +52,7 @@ def divide_blocks(motions: Moves, feeds: Feeds, chords: Chords | None) -> Blocks
     return Blocks(
         row, ends.before, ends.programmed, motions.at[row], motions.mode[row], motions.on[row],
         motions.vector[row], motions.meaning[row], feed[row], feeds.inverse[row], feeds.per_turn[row],
+        feeds.unit[row],
     )  # fmt: skip
 
 
@@ -91,6 +93,8 @@ def _feed_distance(blocks: Blocks, dialect: Dialect | None, measure: Measure | N
     travel = blocks.programmed - blocks.before
     if measure is not None:
         return measure.distance(travel)
+    straight = np.flatnonzero((blocks.unit != 1.0) & travel[:, :3].any(axis=1))
+    travel[straight, 3:] *= blocks.unit[straight, None]
     distance = feed_distance(dialect, travel)
     if blocks.on.any():
         guide = next(iter(dialect.guides.values()), None) if dialect is not None else None

@@ -46,9 +46,53 @@ LOCAL = 520
 """G52: the zero of the local coordinate system."""
 DATUM = 540
 """G54 of Heidenhain's DIN/ISO: a datum shift."""
-NO_MOVE = (71, 100, 109, 280, 281, 300, 301, 520, 530, 531, 650, 660, 661, 682, 920, 921, 922, 923)
-"""Codes (ten times the G number) whose axis words are no move of a block."""
-OFFSETS = (*range(540, 600), 1540)
+NO_MOVE = (
+    71,
+    100,
+    109,
+    220,
+    270,
+    280,
+    281,
+    300,
+    301,
+    310,
+    431,
+    432,
+    510,
+    511,
+    501,
+    520,
+    530,
+    531,
+    650,
+    660,
+    661,
+    680,
+    682,
+    683,
+    684,
+    920,
+    921,
+    922,
+    923,
+    1000,
+    1010,
+    1070,
+    1360,
+    2680,
+    120,
+    130,
+    350,
+    360,
+    370,
+    470,
+    1500,
+)
+"""Codes (ten times the G number) whose axis words are no move of a block: what they shift, turn, scale or
+mirror about, where a stored stroke ends, a tool's length (G43.1 of LinuxCNC), what a probe (G31, G36, G136)
+or a pocket (G12, G13, G150) of one line begins with."""
+OFFSETS = (*range(540, 600, 10), 591, 592, 593, 541, 1540)
 NUMBERED_OFFSETS = (541, 1540)
 """G54.1 P5 of Fanuc, G154 P5 of Haas: P says which."""
 GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
@@ -158,6 +202,13 @@ SPATIAL: Kind = (
         "tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"
     ),
 )
+OTHER_AXIS: Kind = (
+    Code.UNKNOWN_AXIS,
+    say(
+        "an axis that this machine does not have; its moves are missing here. Choose the program's own "
+        "machine"
+    ),
+)
 UNKNOWN: Kind = (Code.UNKNOWN_CODE, say("not known and not interpreted; what it does is missing here"))
 DELTA: Kind = (
     Code.TOOL_DELTA,
@@ -182,12 +233,22 @@ WAY: Kind = (
     say("rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words"),
 )
 
+DWELL_KIND: Kind = (Code.DWELL, say("dwells; their time is in no time that is told here"))
+
 CODES: dict[int, Kind] = {
+    DWELL: DWELL_KIND,
     **dict.fromkeys(CYCLES, CYCLE_KIND),
     **dict.fromkeys(SPLINES, SPLINE),
     **dict.fromkeys((650, 660, 661), CALL),
     **dict.fromkeys((280, 281, 300, 301, 530), HOME),
-    **dict.fromkeys((100, 160, 501, 510, 544, 680, 683, 684, 2530, 2680, 2690, 920, 921, 922, 923), SHIFT),
+    **dict.fromkeys(
+        (100, 160, 501, 510, 511, 542, 543, 544, 680, 683, 684, 2530, 2680, 2690, 920, 921, 922, 923, 1000),
+        SHIFT,
+    ),
+    **dict.fromkeys((1010, 1430), SHIFT),
+    **dict.fromkeys((71, 1070), POLAR),
+    **dict.fromkeys((120, 130, 310, 350, 360, 370, 470, 1360, 1500), CYCLE_KIND),
+    270: HOME,
     **dict.fromkeys(SIDES, RADIUS),
     950: PER_TURN_KIND,
 }
@@ -198,8 +259,10 @@ class Grammar:
     """One language. ``units``: codes of mm (0) and inches (1), ``units_text``: how messages call them;
     ``harmless``, ``codes``, ``m_codes``: what is said of a code; ``ends``: M codes that end the program;
     ``guide_m``: M codes that switch the guide on (1) and off (0); ``dwell``: words that can be the time of
-    G4, the first of them that stands in its line is; ``offsets``: work offsets; ``no_move``, ``machine_m``: G
-    and M codes whose axis words are no move; ``motion``: the modes of motion codes."""
+    G4, the first of them that stands in its line is; ``offsets``: work offsets; ``inch_feed``: the mm/min of
+    F1 in a program in inches; ``inch_degrees``: F of rotary axes alone is in degrees a minute there too;
+    ``no_move``, ``machine_m``: G and M codes whose axis words are no move; ``motion``: the modes of motion
+    codes."""
 
     name: str
     units: Mapping[int, int]
@@ -208,6 +271,8 @@ class Grammar:
     codes: Mapping[int, Kind]
     m_codes: Mapping[int, Kind]
     ends: tuple[int, ...] = (2, 30, 99)
+    inch_feed: float = INCH
+    inch_degrees: bool = True
     guide_m: Mapping[int, int] | None = None
     dwell: str = "PXUF"
     offsets: tuple[int, ...] = OFFSETS
@@ -221,6 +286,8 @@ ISO = Grammar(
     CODES,
     {97: CALL, 98: CALL, 198: CALL}, guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
+LENGTHS_ALONE = (700, 710)
+"""G70 and G71 of Siemens: units that F does not heed."""
 _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0,
     6450: 0, 500: 0,
@@ -246,6 +313,7 @@ SIEMENS = Grammar(
         **dict.fromkeys((*POLES, 580, 590), SHIFT),
         **dict.fromkeys((410, 420), RADIUS),
         950: PER_TURN_KIND,
+        DWELL: DWELL_KIND,
     },
     {},
     ends=(2, 17, 30),
@@ -260,10 +328,17 @@ HEIDENHAIN = Grammar(
     "heidenhain",
     {210: 0, 200: 1},
     say("neither MM nor INCH in BEGIN PGM"),
-    frozenset({*HARMLESS, PER_TURN_M} - {530}),
-    {530: SHIFT},
-    {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL},
+    frozenset({*HARMLESS, PER_TURN_M, 300, 310} - {530}),
+    {
+        530: SHIFT,
+        DWELL: DWELL_KIND,
+        **dict.fromkeys((100, 110, 120, 130, 150, 160), POLAR),
+        **dict.fromkeys((280, 720), SHIFT),
+        **dict.fromkeys((240, 250, 260, 270), ARC_KIND),
+    },  # of DIN/ISO: polar moves, mirror and scale, chamfers, roundings and ways in and out
+    {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL, 130: SHIFT, 144: SHIFT},
     ends=(2, 30),
+    inch_feed=0.1 * INCH,
     dwell="FPXU",
     no_move=(*NO_MOVE, DATUM),
     guide_m={128: 1, 129: 0},

@@ -21,11 +21,12 @@ from .source import Source
 @dataclass(frozen=True, eq=False)
 class Measure:
     """Over what F is measured in each block: ``groups``; ``which`` (n,) of them; ``inch`` (n,): radii are in
-    inches; ``letters`` of the machine."""
+    inches; ``inch_feed`` (n,): so is F; ``letters`` of the machine."""
 
     groups: tuple[FeedGroup, ...]
     which: Ints
     inch: Bools
+    inch_feed: Bools
     letters: str
 
     def distance(self, change: Floats) -> Floats:
@@ -38,7 +39,7 @@ class Measure:
         rows = np.flatnonzero(square == 0.0)
         square[rows] = (change[rows] ** 2).sum(axis=1)
         degrees = ~(change[:, :3].any(axis=1) | radii[self.which].any(axis=1))
-        return np.asarray(np.sqrt(square) * np.where(degrees, unit[:, 0], 1.0))
+        return np.asarray(np.sqrt(square) * np.where(degrees & self.inch_feed, INCH, 1.0))
 
 
 def find_measure(source: Source, at: Ints, letters: str) -> Measure | None:
@@ -49,4 +50,5 @@ def find_measure(source: Source, at: Ints, letters: str) -> Measure | None:
     lines, groups = source.lines, source.lines.words.groups
     codes = FEED_GROUPS[: len(groups)]
     which = lines.mode({code: k for k, code in enumerate(codes)}, 0)[at]
-    return Measure(groups, which, lines.inch(source.grammar)[at], letters)
+    inch, inch_feed = lines.inch(source.grammar)[at], lines.inch_feed(source.grammar)[at]
+    return Measure(groups, which, inch, inch_feed, letters)

@@ -22,7 +22,7 @@ from . import codes
 from .codes import Grammar
 from .corners import LETTER
 from .lines import Lines, tenfold
-from .noted import kind_findings
+from .noted import MOST, kind_findings
 from .positions import ABSOLUTE, Moves, find_wraps
 from .words import Words
 
@@ -163,7 +163,15 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
                 )
                 found.append(report_finding(Code.UNKNOWN_CODE, text, float(count), line=line))
         known += [one for kind, named in met.items() for one in kind_findings(kind, named)]
-    return found, known
+    return found, known + _report_machine_words(words, ends)
+
+
+def _report_machine_words(words: Words, ends: tuple[int, int]) -> list[Finding]:
+    """Report the machine positions that a word tells (SUPA of Siemens) between the first block and the last,
+    as :func:`code_findings` does those of codes."""
+    at = np.flatnonzero(words.letter == ord(codes.MACHINE))
+    line = words.in_file(words.line[at[(words.line[at] >= ends[0]) & (words.line[at] <= ends[1])]])
+    return kind_findings(codes.HOME, {"SUPA": (int(line[0]), len(line))}) if len(line) else []
 
 
 def _without_radius(words: Words) -> Ints:
@@ -244,26 +252,50 @@ def start_findings(letters: str, motions: Moves, lines: Lines, grammar: Grammar)
         found.append(report_finding(Code.NO_MOTION_CODE, text, block=block, line=int(motions.at[block])))
     if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
         found.append(_units_finding(motions, lines, grammar))
+    found += _report_feeds_under_g70(lines, grammar)
     offsets = _find_offsets(lines, grammar)
-    if offsets > 1:
+    if len(offsets) > 1:
         text = say(
-            "The program uses {count} work offsets; their distance is not known, and the blocks between are "
-            "not right.",
-            count=offsets,
+            "The program uses {count} work offsets: {names} (with their first lines). Their distance is not "
+            "known, and the blocks between are not right. Audit each part on its own.",
+            count=len(offsets),
+            names=", ".join(f"{name} ({line})" for name, (_, line) in [*offsets.items()][:MOST]),
         )
-        found.append(report_finding(Code.WORK_OFFSET_CHANGE, text, line=first))
+        second = [row for row, _ in offsets.values()][1]
+        found.append(report_finding(Code.WORK_OFFSET_CHANGE, text, line=second))
     found += _without_offset(motions, lines, grammar)
     return found
 
 
-def _find_offsets(lines: Lines, grammar: Grammar) -> int:
-    """Count the work offsets of a program; of numbered ones each P is another."""
-    plain = np.isin(lines.code, grammar.offsets)
-    if grammar.name != "iso" or not np.isin(lines.code, codes.NUMBERED_OFFSETS).any():
-        return len(np.unique(lines.code[plain]))
-    number = np.nan_to_num(lines.column("P"), nan=1.0)[lines.code_line]
-    number = np.where(np.isin(lines.code, codes.NUMBERED_OFFSETS), number, 0.0)
-    return len(np.unique(np.column_stack([lines.code, number])[plain], axis=0))
+def _report_feeds_under_g70(lines: Lines, grammar: Grammar) -> list[Finding]:
+    """Report that nobody has said what F counts under G70 (Siemens)."""
+    if grammar.name != "siemens" or codes.LENGTHS_ALONE[0] not in lines.code or lines.assumed.units != "file":
+        return []
+    under = lines.mode({code: code for code in grammar.units}, 0) == codes.LENGTHS_ALONE[0]
+    row = np.flatnonzero(under & ~np.isnan(lines.column("F")))
+    if not len(row):
+        return []
+    text = say(
+        "F under G70 counts in the control's basic system, mm or inches, which the program does not say; "
+        "taken as inches. Give {option}, mm or inch, or post G700.",
+        option=Option("units"),
+    )
+    return [report_finding(Code.UNITS_NOT_SAID, text, float(len(row)), line=int(row[0]), unit="")]
+
+
+def _find_offsets(lines: Lines, grammar: Grammar) -> dict[str, tuple[int, int]]:
+    """Return the work offsets of a program in the order of their first lines, here and in the file; of
+    numbered ones each P is another."""
+    at = np.flatnonzero(np.isin(lines.code, grammar.offsets))
+    code, row, number = lines.code[at], lines.code_line[at], np.zeros(len(at))
+    if grammar.name == "iso" and np.isin(code, codes.NUMBERED_OFFSETS).any():
+        number = np.nan_to_num(lines.column("P"), nan=1.0)[row]
+        number = np.where(np.isin(code, codes.NUMBERED_OFFSETS), number, 0.0)
+    _, first = np.unique(np.column_stack([code, number]), axis=0, return_index=True)
+    first.sort()
+    names = [f"G{code[k] / 10:g}" + (f" P{number[k]:g}" if number[k] else "") for k in first.tolist()]
+    places = zip(row[first].tolist(), lines.words.in_file(row[first]).tolist(), strict=True)
+    return dict(zip(names, places, strict=True))
 
 
 def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Finding]:

@@ -37,9 +37,12 @@ OWN = re.compile(
     rb"*[-+.0-9]"
 )
 """How lines of words begin that are not lines of one function: they are words with numbers."""
-LINE = re.compile(rb"^( *)LN?(?=[ IXYZABCFRMTN])", re.MULTILINE)
-ARC = re.compile(rb"^( *)CR?(?= +(?:[XYZxyz]|DR))", re.MULTILINE)
-CENTRE = re.compile(rb"^( *)CC\b([^\n]*)$", re.MULTILINE)
+LINE = re.compile(rb"^( *(?:/ *)?)LN?(?=[ IXYZABCFRMTN])", re.MULTILINE)
+ARC = re.compile(rb"^( *(?:/ *)?)CR?(?= +(?:[XYZxyz]|DR))", re.MULTILINE)
+CENTRE = re.compile(rb"^( *(?:/ *)?)CC\b([^\n]*)$", re.MULTILINE)
+TOOL_AXIS = re.compile(rb"TOOL CALL(?: *(?:[0-9.]+|Q[LRS]?[0-9]+))? *([XYZ])(?![0-9A-Z])")
+"""The axis that the tool of a TOOL CALL lies along: arcs are in the plane across it."""
+PLANES = {b"X": b"G19", b"Y": b"G18", b"Z": b"G17"}
 SENSE = re.compile(rb"DR *([-+])")
 NO_RADIUS = re.compile(rb"(?<![A-Z0-9.])R0(?![0-9.])")
 SIDE = re.compile(rb"(?<![A-Z])R([LR])(?![A-Z])")
@@ -65,11 +68,10 @@ PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
 
 PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"))
 HARMLESS = (
-    b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
-    b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
+    b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32",
+    b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"SECTION MONITORING",
     b"FUNCTION MODE SET", b"FUNCTION COUNT", b"FUNCTION S-PULSE", b"FUNCTION LIFTOFF",
     b"FUNCTION PARAXCOMP DISPLAY",
-    b"CYCLE DEF 9.",
 )  # fmt: skip
 """How lines begin that move nothing; a post of old TNCs spells the dwell CYCLE DEF."""
 DELTA = re.compile(rb"(?<![A-Z0-9])D(?:L|R2?) *[-+]? *(?:Q[LRS]?[0-9]+|[0-9]*\.?[0-9]+\.?)")
@@ -80,7 +82,9 @@ KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
     (b"CYCL DEF 10", codes.SHIFT),
     (b"CYCL DEF 11", codes.SHIFT), (b"CYCL DEF 19", codes.SHIFT), (b"CYCL DEF 26", codes.SHIFT),
     (b"PLANE", codes.SHIFT),
-    (b"TRANS", codes.SHIFT), (b"CYCL", codes.CYCLE_KIND), (b"TCH PROBE", codes.CYCLE_KIND),
+    (b"TRANS", codes.SHIFT), (b"CYCL DEF 9.", codes.DWELL_KIND), (b"CYCLE DEF 9.", codes.DWELL_KIND),
+    (b"FUNCTION DWELL", codes.DWELL_KIND), (b"FUNCTION FEED", codes.DWELL_KIND),
+    (b"CYCL", codes.CYCLE_KIND), (b"TCH PROBE", codes.CYCLE_KIND),
     (b"PATTERN", codes.CYCLE_KIND),
     (b"CALL", codes.CALL), (b"SEL", codes.CALL), (b"FN", codes.MACRO), (b"IF", codes.MACRO),
     (b"DECLARE", codes.MACRO),
@@ -95,8 +99,6 @@ KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
 def plain(text: bytes, notes: Notes) -> bytes:
     """Return the text, in capitals and without comments, as ISO words with the private letters; every line
     stays where it is."""
-    if b"~" in text:
-        text = CONTINUED.sub(_one_line, text)
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
     text = RETRACT.sub(lambda found: _note_word(found, codes.HOME, notes), text) if b"M140" in text else text
@@ -116,6 +118,11 @@ def plain(text: bytes, notes: Notes) -> bytes:
         text = PARAMETER.sub(lambda found: _note_word(found, codes.MACRO, notes), text)
     text = _words(text, notes).replace(b" L ", b" G1").replace(b" LN ", b" G1 ")
     return LINE.sub(rb"\1G1", text) if b"L" in text else text
+
+
+def join_lines(text: bytes) -> bytes:
+    """Return the text with each function that goes on over several lines (~) in its first one."""
+    return CONTINUED.sub(_one_line, text) if b"~" in text else text
 
 
 def with_unit(whole: bytes, text: bytes) -> bytes:
@@ -142,9 +149,10 @@ def _words(text: bytes, notes: Notes) -> bytes:
 
 
 def _one_line(found: re.Match[bytes]) -> bytes:
-    """Return a function over several lines: its first line, the others blank."""
-    first, *others = found[0].split(b"\n")
-    return b"\n".join([first.replace(b"~", b" "), *(b" " * len(line) for line in others)])
+    """Return a function over several lines as its first line, with empty ones behind it and as long as
+    before."""
+    lines = found[0].split(b"\n")
+    return b" ".join(line.replace(b"~", b"", 1) for line in lines) + b"\n" * (len(lines) - 1)
 
 
 def _blank(found: re.Match[bytes]) -> bytes:
@@ -170,18 +178,27 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
     before = found[0][: found.start(1) - found.start()]
     if OWN.match(line):
         return found[0]
+    if b"CENTER-CENTER" in line:
+        notes.note(codes.SHIFT, "REFPNT CENTER-CENTER", found.start(1))
     if line.startswith(b"PLANE "):
         return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
     if shift := SHIFT.match(line):
         return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))
     if line.startswith((b"TOOL CALL", b"CYCL DEF 247")):
         _note_tool_or_datum(line, found.start(1), notes)
-        feed = feed_of_call(line) if line.startswith(b"TOOL") else None
-        return before + (b"F" + feed if feed else b"").ljust(len(found[1]))
+        return before + _words_of_call(line).ljust(len(found[1]))
     word = _word_of(line)
     if word is None:
         _note_function(line, found.start(1), notes)
     return before + (word or b"").ljust(len(found[1]))
+
+
+def _words_of_call(line: bytes) -> bytes:
+    """Return the words that a TOOL CALL leaves in force: plane and F."""
+    axis, feed = TOOL_AXIS.match(re.sub(rb'"[^"]*"', b"0", line)), feed_of_call(line)
+    if not line.startswith(b"TOOL"):
+        return b""
+    return (PLANES[axis[1]] if axis else b"") + (b"F" + feed if feed else b"")
 
 
 def _note_tool_or_datum(line: bytes, at: int, notes: Notes) -> None:

@@ -126,6 +126,7 @@ class Run:
         self.diameters = diameters
         self.diameter: float | None = None
         self.speed: float | None = None
+        self.along = "Z"
         self.unread: dict[str, Finding] = {}
         self.output: list[tuple[int, str]] = []
 
@@ -268,6 +269,8 @@ class Run:
         unquoted = re.sub(r'"[^"]*"', "", row)
         speed, radius = SPEED.search(unquoted), RADIUS.search(unquoted)
         self.speed = float(speed[1]) if speed else self.speed
+        along = ALONG.search(unquoted)
+        self.along = along[1] if along else self.along
         if re.search(r"TOOL +CALL +(?:[0-9\"'Q])", row):
             self.diameter = self.diameters.get(self.at)
             if self.diameter is not None and radius:
@@ -285,6 +288,10 @@ class Run:
         """Drill the hole of the cycle that was defined; where it is not understood, that is found once, and
         its moves are missing."""
         assert self.cycle is not None
+        if self.along != "Z":
+            reason = say("the tool lies along {axis}, and holes are written along Z alone", axis=self.along)
+            self._not_drilled(self.cycle.number, reason)
+            return
         around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output))
         try:
             rows = write_hole(self.cycle, around)
@@ -303,6 +310,8 @@ class Run:
         self.unread.setdefault(sentence, report_finding(CYCLE_KIND[0], sentence, line=self.at + 1))
 
 
+ALONG = re.compile(r"TOOL +CALL +(?:(?:[0-9.]+|Q[LRS]?[0-9]+) +)?([XYZ])(?![0-9A-Z])")
+"""The axis that the tool lies along, as TOOL CALL tells it."""
 DATUM_SHIFT = "7"
 NEVER_CALLED = {"7", "8", "9", "10", "11", "13", "14", "19", "20", "26", "32", "220", "221", "239", "247"}
 """Cycles that work where they are defined, and leave the one that is called as it is."""

@@ -80,6 +80,16 @@ class Lines:
         """Whether the lengths of each line are in inches."""
         return np.asarray(self.mode(grammar.units, int(self.assumed.units == "inch")) == 1)
 
+    def inch_feed(self, grammar: Grammar) -> Bools:
+        """Whether F of each line counts inches. Siemens' G70 and G71 leave F to the control's basic system,
+        which is taken as theirs where nobody has said it; G700 and G710 count it as lengths (802D sl,
+        6FC5398-3CP10, 8.2.3)."""
+        if grammar.name != "siemens" or self.assumed.units == "file":
+            return self.inch(grammar)
+        basic = int(self.assumed.units == "inch")
+        units = {code: basic if code in codes.LENGTHS_ALONE else k for code, k in grammar.units.items()}
+        return np.asarray(self.mode(units, basic) == 1)
+
     def unit(self, grammar: Grammar) -> Floats:
         """Return how many mm the unit of length of each line has."""
         return np.where(self.inch(grammar), codes.INCH, 1.0)

@@ -7,6 +7,9 @@ CYCL DEF 392     DMG's ATC: mode and weight for tuning the drives, as programs f
 M202(0.0024)     a tolerance, the machine builder's. Neither was looked up in a manual of the builder.
 G05 P10000, P0   Fanuc's high precision contour control on and off (B-63324EN), in a line of its own: with
                  other words G05 is another function.
+POPEN, DPRNT[...], BPRNT[...], PCLOS
+                 what Fanuc's and Haas' macros write to a port (external output commands), each a line of its
+                 own.
 
 What a function's line says beside it stays: of ``M202(0.0024) X5`` the X is read.
 """
@@ -30,6 +33,9 @@ SHIPPED: dict[str, tuple[str, ...]] = {
 WHOLE = rb"^(?P<before>[ 0-9/]*)%b(?![0-9.A-Z])(?:[^\n]*~ *\n)*[^\n]*"
 ALONE = rb"^(?P<before> *(?:/[0-9]? *)?(?:N *[0-9]+ *)?)%b *$"
 """A G code with its word, and no other: G5 of LinuxCNC, which has more, is a spline."""
+OUTPUT = re.compile(
+    rb"^(?P<before> *(?:/[0-9]? *)?(?:N *[0-9]+ *)?)(?:POPEN|PCLOS|[BD]PRNT *\[[^\n]*\]) *$", re.MULTILINE
+)
 BRACKETED = re.compile(rb"(?<![A-Z0-9])(M *[0-9]+) *\([^()\n]*\)")
 
 
@@ -49,6 +55,8 @@ def pass_over(text: bytes, language: str, own: Sequence[str] = ()) -> tuple[byte
                     report_finding(Code.NO_MOTION, sentence, line=text.count(b"\n", 0, found.start()) + 1)
                 )
             text = pattern.sub(_blank, text)
+    if language == "iso" and (b"PRNT" in text or b"POPEN" in text or b"PCLOS" in text):
+        text = OUTPUT.sub(_blank, text)
     return _without_brackets(text, findings), findings
 
 

@@ -88,7 +88,7 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
         else:
             cause = not_run(run)
             refused = [cause]
-    text = without_polar(text)
+    text = without_polar(heidenhain.join_lines(text))
     return replace(_with_findings(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 

@@ -34,9 +34,12 @@ ALONE = re.compile(
 """A line of nothing but a name: a subprogram, where it is no known word."""
 ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
-    rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) "
+    rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) "
     rb"*=" + NUMBER
 )
+AXIS_BY_NUMBER = re.compile(rb"(?<![A-Z0-9_$])([XYZABC]1) *=" + NUMBER)
+FIXED_POINT = re.compile(rb"(?<![A-Z0-9])G *0*7[45](?![0-9])")
+"""The lines in which X1=0 is the name of a machine axis, whatever it is to: G74 and G75."""
 SPINDLE_OR_DRIVE = re.compile(
     rb"(?<![A-Z0-9_$])(?:SPOSA?|LIMS|ACC|JERKLIM|VELOLIM|FL|FA|STOLF)(?: *\[[^\]\n]*\])? *="
     rb" *(?:(?:AC|IC|DC|ACP|ACN) *\(" + NUMBER + rb"\)|" + NUMBER.replace(b"(", b"(?:") + rb")"
@@ -165,9 +168,17 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
         text = TURNS.sub(lambda found: codes.TURNS.encode().ljust(len(found[0])), text)
     text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
     text = SIDE.sub(_blank, SPINDLE_OR_DRIVE.sub(_blank, text))
+    text = AXIS_BY_NUMBER.sub(lambda found: _axis_by_number(found, notes), text) if b"1" in text else text
     return ORIENTATION.sub(
         lambda found: _note_word(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text
     )
+
+
+def _axis_by_number(found: re.Match[bytes], notes: Notes) -> bytes:
+    """Leave out the word of a machine axis; where it moves one, that is noted."""
+    text, last = found.string, found.string.find(b"\n", found.end())
+    line = text[text.rfind(b"\n", 0, found.start()) + 1 : last if last >= 0 else None]
+    return _blank(found) if FIXED_POINT.search(line) else _note_word(found, codes.OTHER_AXIS, found[1], notes)
 
 
 def _rewrite_bracket(found: re.Match[bytes], notes: Notes) -> bytes:

@@ -179,13 +179,15 @@ def _depths(values: dict[str, float]) -> list[float]:
 
 @dataclass(frozen=True)
 class Around:
-    """What is in force where a cycle runs: the plane (0 to 2), F, S, feed per turn, mm of a unit."""
+    """What is in force where a cycle runs: the plane (0 to 2), F, S, feed per turn, mm of a unit of
+    length and of that of F."""
 
     plane: int
     feed: float
     speed: float
     per_turn: bool
     scale: float
+    feed_scale: float
 
 
 def wrong_here(drill: Drill, around: Around) -> str:
@@ -229,7 +231,7 @@ def _feeds(name: str, values: dict[str, float], around: Around) -> tuple[float, 
         return around.feed * (values.get("FRF", 0.0) or 1.0), around.feed
     if name == "CYCLE85":
         return values.get("FFR", 0.0) or around.feed, values.get("RFF", 0.0) or around.feed
-    pitch = _pitch(values) / around.scale
+    pitch = _pitch(values) / around.feed_scale
     if name not in ("CYCLE84", "CYCLE840") or not pitch:
         return (around.feed,)
     down = abs(values.get("SST", 0.0)) or around.speed

@@ -41,6 +41,7 @@ class _State:
     speed: Floats
     feed_mode: Ints
     inch: Bools
+    inch_feed: Bools
     steps: Bools
     motion: Ints
     machine: Bools
@@ -110,7 +111,8 @@ def _state(lines: Lines, grammar: Grammar) -> _State:
     return _State(
         lines.mode(codes.PLANES, 0), hold_words(lines.column("F")), hold_words(lines.column("S")),
         lines.mode(codes.FEED_MODE, codes.PER_MINUTE),
-        lines.inch(grammar), lines.mode(codes.DISTANCE, 0) == 1, lines.mode(motion, 10),
+        lines.inch(grammar), lines.inch_feed(grammar), lines.mode(codes.DISTANCE, 0) == 1,
+        lines.mode(motion, 10),
         ~np.isnan(lines.column(codes.MACHINE)) | lines.any_of(grammar.no_move),
     )  # fmt: skip
 
@@ -126,7 +128,7 @@ def _put(holes: _HoleMoves, drill: Drill, row: int, state: _State, lines: Lines)
     around = Around(
         int(state.plane[row]), float(state.feed[row]), float(state.speed[row]),
         bool(state.feed_mode[row] == codes.PER_TURN),
-        INCH if state.inch[row] else 1.0,
+        INCH if state.inch[row] else 1.0, INCH if state.inch_feed[row] else 1.0,
     )  # fmt: skip
     if reason := wrong_here(drill, around):
         holes.refused.setdefault((drill.name, reason), row)

@@ -13,7 +13,8 @@ from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from .canned_cycles import write_out_cycles
-from .codes import GRAMMARS, Grammar
+from .codes import Grammar
+from .controller_codes import grammar_of, name_inclinations, name_quadratic_splines, turn_arcs
 from .findings import in_file, language_finding, point_findings, up_to_end
 from .heidenhain_cycles import diameters
 from .lines import Assumed, Lines, by_least_increment, without_dwells
@@ -48,7 +49,7 @@ def read_source(
     """Return the source of an NC text, as of :func:`.nc_reader.read_nc`. Raises ProgramError, naming line and
     column, for text that cannot be read."""
     expected, controller = ("iso", "") if dialect is None else (dialect.language, dialect.name)
-    grammar = GRAMMARS[language_of(text, expected)]
+    grammar = grammar_of(language_of(text, expected), controller)
     of_machine = OfMachine(kinematics, assumed.no_motion, diameters(text), assumed.search)
     whole = read_words(text, grammar.name, controller, progress, of_machine)
     progress("reading NC", 0.5)
@@ -59,7 +60,10 @@ def read_source(
     elif dialect is not None and dialect.least_increment:
         findings += point_findings(lines)
     source = Source(grammar, lines, whole.findings + in_file(words, findings), whole.cause)
-    expansions: tuple[Expansion, ...] = (shift_words, partial(write_out_cycles, controller=controller))
+    expansions: tuple[Expansion, ...] = (
+        shift_words, name_quadratic_splines, name_inclinations, partial(turn_arcs, controller=controller),
+        partial(write_out_cycles, controller=controller),
+    )  # fmt: skip
     if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then
         expansions = holes_written_out, shift_words
     for expansion in expansions:

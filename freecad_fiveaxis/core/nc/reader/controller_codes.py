@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What one controller means by a code or a word that the others of its language mean otherwise.
+
+haas      G110 to G129 are work offsets, G70 to G72 circles and rows of holes (NGC mill operator's manual).
+fanuc     G43.1 is a length along the tool's axis, in whose lines X Y Z move (B-63324EN, tool length
+          compensation in tool axis direction); elsewhere its words are the length itself (LinuxCNC, grbl).
+grbl      F in a program in inches is made mm a minute whatever moves (gcode.c of grbl-Mega-5X), so that of
+          rotary axes alone is 25.4 times as many degrees.
+turns     LinuxCNC's P of G2 and G3: an arc of P turns, P1 where none is told; grblHAL has it from there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding
+
+from . import codes
+from .codes import GRAMMARS, Grammar
+from .lines import Lines
+from .noted import kind_findings
+from .words import Words
+
+HOLES = (700, 710, 720)
+NUMBERED = tuple(range(1100, 1300, 10))
+ALONG_AXIS = 431
+TURNING = ("linuxcnc", "grbl", "")
+"""Controllers whose arcs have turns; "": nobody has said which."""
+OTHER_P = (41, 51, 100, 434, 435, 541, 640, 960, 1540, 1870, 2340)
+"""Codes in whose line P is theirs."""
+M_WITH_P = (*range(62, 69), 97, 98)
+
+
+def grammar_of(language: str, controller: str) -> Grammar:
+    """Return the grammar of a text in that language for that controller, ``""`` where nobody has said it."""
+    grammar = GRAMMARS[language]
+    if language != "iso":
+        return grammar
+    if controller == "haas":
+        return replace(
+            grammar, codes={**grammar.codes, **dict.fromkeys(HOLES, codes.CYCLE_KIND)},
+            harmless=grammar.harmless | frozenset(NUMBERED), offsets=grammar.offsets + NUMBERED,
+            no_move=grammar.no_move + HOLES,
+        )  # fmt: skip
+    if controller == "grbl":
+        return replace(grammar, inch_degrees=False)
+    if controller == "fanuc":
+        no_move = tuple(code for code in grammar.no_move if code != ALONG_AXIS)
+        return replace(grammar, codes={**grammar.codes, ALONG_AXIS: codes.SHIFT}, no_move=no_move)
+    return grammar
+
+
+def turn_arcs(
+    words: Words, lines: Lines, grammar: Grammar, controller: str = ""
+) -> tuple[Words, list[Finding]]:
+    """Return the words with the turns of arcs (P) as the private word for those besides; without any, the
+    same object."""
+    if grammar.name != "iso" or controller not in TURNING or "P" not in lines.letters:
+        return words, []
+    arc = lines.mode(grammar.motion, codes.NONE) == codes.ARC
+    arc &= ~np.isnan(lines.columns("IJKR")).all(axis=1) & ~lines.any_of(OTHER_P)
+    arc[lines.m_line(M_WITH_P)] = False
+    at = np.flatnonzero((words.letter == ord("P")) & arc[words.line])
+    if not len(at):
+        return words, []
+    letter, value = words.letter.copy(), words.value.copy()
+    letter[at] = ord(codes.TURNS)
+    value[at] = np.maximum(np.rint(value[at]), 1.0) - 1.0
+    return replace(words, letter=letter, value=value), []
+
+
+def name_inclinations(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
+    """Report the inclination Q of a tool that vectors turn (G43.5 of Fanuc), which is not read."""
+    if grammar.name != "iso" or not np.isin(lines.code, codes.VECTORS_ON).any():
+        return words, []
+    group = {**dict.fromkeys((*codes.GUIDE_ON, *codes.GUIDE_OFF), 0), **dict.fromkeys(codes.VECTORS_ON, 1)}
+    row = np.flatnonzero((lines.mode(group, 0) == 1) & (np.nan_to_num(lines.column("Q")) != 0.0))
+    return words, kind_findings(codes.SPATIAL, {"Q of G43.5": (int(row[0]), len(row))}) if len(row) else []
+
+
+def name_quadratic_splines(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
+    """Report lines of G5.1 with I or J, which is LinuxCNC's quadratic spline; with Q it is Fanuc's
+    smoothing."""
+    if grammar.name != "iso" or 51 not in lines.code:
+        return words, []
+    row = np.flatnonzero(lines.any_of((51,)) & ~np.isnan(lines.columns("IJ")).all(axis=1))
+    return words, kind_findings(codes.SPLINE, {"G5.1": (int(row[0]), len(row))}) if len(row) else []

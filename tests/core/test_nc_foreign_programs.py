@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Words of programs that other people's posts and hands write: none is passed over without a word."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from test_nc_cycles import LINKS, errors, path, read
+
+from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.nc.reader import Assumed, read_nc
+
+ISO = "G21 G90 G94 F100\nG0 X0. Y0. Z20. A0. C0.\n"
+SIEMENS = "G71 G90 G94 F100\nG0 X0 Y0 Z20 A0 C0\n"
+KLARTEXT = "BEGIN PGM A MM\nL X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\n"
+
+
+def codes_of(program) -> dict[str, int]:
+    return {found.code: found.line for found in program.findings if found.severity is not Severity.NOTE}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "L X+5 ~\n  Y+3 F100\nL Z+1 ~ \n ~\n  Y+4\n", "/ L X+5 ~\nY+3 F100\n; ~\nL Z+1 ~\nY+4\n",
+        "CC X+0 ~\nY+0\nLP PR+5 ~\nPA+0 ~\nF100\nL Y+3\nL Y+4 ~\nZ+1 \n", "Q1=5\nL X+Q1 ~\n  Y+3 F100\nL Z+1 ~\n  Y+4\n",
+    ],
+)  # fmt: skip
+def test_a_klartext_line_that_goes_on_moves_by_all_its_words(text: str) -> None:
+    program = read(KLARTEXT + text + "END PGM A MM\n", "heidenhain")
+    assert not errors(program) and path(program)[-1] == "f 5 4 1"
+    assert path(program)[0] in ("f 5 3 20", "f 5 0 20") and (program.feed[1:] == 100).all()
+
+
+def test_a_klartext_vector_in_the_next_line_turns_the_tool() -> None:
+    text = "FUNCTION TCPM F TCP AXIS POS ~\nPATHCTRL VECTOR\nLN X+5 Y+2 Z+1 ~\nTX0 TY0.6 TZ0.8 F100\n"
+    program = read(KLARTEXT + text + "END PGM A MM\n", "heidenhain")
+    assert program.line.tolist() == [2, 5] and program.guided.vector[1].tolist() == [0, 0.6, 0.8]
+
+
+def test_a_machine_position_by_supa_between_blocks_is_named_as_g53_is() -> None:
+    text = "G1 Z1\n{} G0 Z0\nG0 X6 Y1\nZ5\nG1 Z1\n{} G0 Z0\nM30\n"
+    supa, g53 = (read(SIEMENS + text.format(name, name), "siemens840d") for name in ("SUPA", "G53"))
+    assert codes_of(supa) == codes_of(g53) == {"machine-position": 4}
+    assert "SUPA" in str([found.text for found in supa.findings])
+    retract = read(SIEMENS + "G1 Z1\nSUPA G0 Z0 D0\nM30\n", "siemens840d")
+    assert codes_of(retract) == {}
+
+
+def minutes(program) -> list[float]:
+    return (program.seconds[1:] / 60.0).tolist()
+
+
+def test_in_inches_f_of_rotary_axes_alone_is_in_degrees_a_minute() -> None:
+    text = "G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 A90. F45.\nX1. F10.\nG21 A0\nG20 A90. C90.\nM30\n"
+    for controller in ("linuxcnc", "haas", "mach3", "fanuc"):
+        program = read(text, controller)
+        assert minutes(program) == pytest.approx([2.0, 0.1, 9.0, 9.0 * 2**0.5])
+        assert program.feed[1:].tolist() == pytest.approx([45, 254, 10, 10])
+
+
+def test_a_full_circle_in_inches_keeps_its_f() -> None:
+    for controller in ("linuxcnc", "fanuc"):
+        program = read("G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X1 F10.\nG2 I1. J0.\nM2\n", controller)
+        assert program.seconds.sum() / 60 == pytest.approx(0.1 + 0.2 * np.pi, rel=1e-3)
+
+
+def test_where_f_is_measured_over_all_axes_a_degree_counts_as_an_inch() -> None:
+    """B-63324EN, 4.3: X and the angle make the way, each in the unit of F."""
+    text = "G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X3. A4. F2.\nG21 X0 A0 F254\nM30\n"
+    assert minutes(read(text, "fanuc")) == pytest.approx([2.5, np.hypot(76.2, 4.0) / 254.0])
+    assert minutes(read(text, "haas")) == pytest.approx([1.5, 0.3])
+    assert minutes(read(text.replace("G94", "G93"), "fanuc"))[0] == 0.5
+
+
+def test_klartext_in_inches_has_f_in_tenths_of_an_inch() -> None:
+    head = "BEGIN PGM A INCH\nTOOL CALL 1 Z S1000 F50\nL X+0 Y+0 Z+2 A+0 C+0 R0 FMAX\n"
+    program = read(head + "L X+1\nL X+2 F100\nL A+90\nEND PGM A INCH\n", "heidenhain")
+    assert program.feed[1:].tolist() == pytest.approx([127, 254, 100])
+    assert minutes(program) == pytest.approx([0.2, 0.1, 0.9])
+
+
+def length(program) -> float:
+    return float(np.linalg.norm(np.diff(program.words[:, :3], axis=0), axis=1).sum())
+
+
+def test_an_arc_of_linuxcnc_goes_round_as_often_as_p_says() -> None:
+    text = "G1 Z0\nG2 X0 Y0 Z-6 I5 J0 P3\nG3 X10 Y0 R5 P2\nG2 X0 Y0 R5\nM2\n"
+    way = 20 + 3 * np.hypot(10 * np.pi, 2) + 1.5 * 10 * np.pi + 5 * np.pi
+    for controller in ("linuxcnc", "grbl"):
+        assert length(read(ISO + text, controller)) == pytest.approx(way, abs=0.05)
+    assert length(read(ISO + text, "fanuc")) == pytest.approx(
+        20 + np.hypot(10 * np.pi, 6) + 10 * np.pi, abs=0.05
+    )
+
+
+def test_p_of_another_word_in_the_line_of_an_arc_is_no_turn() -> None:
+    text = ISO + "{} G2 X0 Y0 I5 J0\nM2\n"
+    for word in ("G64 P0.01", "M64 P3", "M67 E0 Q2", "G4 P3\n"):
+        assert length(read(text.format(word), "linuxcnc")) == pytest.approx(10 * np.pi, abs=0.05)
+
+
+@pytest.mark.parametrize("controller", ["linuxcnc", "grbl"])
+@pytest.mark.parametrize("line", ["G43.1 Z100", "G43.1 X1 Z10", "G43.2 X1 Z10", "G43.2 H3"])
+def test_the_words_of_a_length_are_no_move(controller: str, line: str) -> None:
+    assert path(read(f"{ISO}{line}\nG0 X5\nG49\nX6\nM2\n", controller)) == ["r 5 0 20", "r 6 0 20"]
+
+
+@pytest.mark.parametrize(
+    ("controller", "line", "code"),
+    [
+        ("fanuc", "G51.1 X0. Y5.", "offset"), ("fanuc", "G51 X0. Y9. Z0. P2000", "offset"), ("fanuc", "G50.1 X0", "offset"),
+        ("haas", "G101 X9.", "offset"), ("haas", "G143 H1", "offset"), ("fanuc", "G54.2 P1", "offset"), ("fanuc", "G43.1 H1", "offset"),
+        ("mach3", "G68 X3 Y9 R30", "offset"), ("fanuc", "G7.1 C20.", "polar"), ("haas", "G107 A0 Y9. R2.", "polar"),
+        ("haas", "G12 I5. D1", "cycle"), ("mach3", "G13 I5", "cycle"), ("haas", "G150 P1 X9. Z-5. R2. Q1. J1.", "cycle"), ("haas", "G47 P0 X9. Z-.1 J5.", "cycle"),
+        ("haas", "G70 I10. J0. L4", "cycle"), ("haas", "G72 I10. J0. K5. L4", "cycle"), ("fanuc", "G31 Z-5. F50", "cycle"), ("fanuc", "G37 Z-5.", "cycle"),
+        ("linuxcnc", "G5.1 I1 J3 X5 Y5", "spline"),
+    ],
+)  # fmt: skip
+def test_what_turns_mirrors_scales_or_makes_a_pocket_is_an_error_and_its_words_are_no_move(
+    controller: str, line: str, code: str
+) -> None:
+    program = read(f"{ISO}{line}\nG1 X6.\nM30\n", controller)
+    assert errors(program) == [f"{code}-not-interpreted"]
+    assert program.findings[[one.code for one in program.findings].index(errors(program)[0])].line == 3
+    first = line.split()[0]
+    assert first in next(one.text for one in program.findings if one.code.startswith(code))
+    assert path(program)[-1] == ("f 6 5 20" if code == "spline" else "f 6 0 20")
+
+
+def test_work_offsets_of_haas_are_known_and_a_second_one_is_named() -> None:
+    one, two = (read(f"G110\n{ISO}{line}\nG1 X5.\nM30\n", "haas") for line in ("G110", "G129"))
+    assert codes_of(one) == {} and list(codes_of(two)) == ["work-offset-change"]
+
+
+def test_smoothing_of_fanuc_is_no_spline() -> None:
+    assert codes_of(read(ISO + "G05.1 Q1 R3\nG1 X5.\nG05.1 Q0\nM30\n", "fanuc")) == {}
+
+
+def test_a_second_work_offset_is_named_where_it_comes_into_force() -> None:
+    program = read(f"G54\n{ISO}G1 X5.\nG54.1 P2 G0 X0\nG54\nG55\nX1.\nM30\n", "fanuc")
+    (found,) = [one for one in program.findings if one.code == "work-offset-change"]
+    assert found.line == 5 and "3 work offsets: G54 (1), G54.1 P2 (5), G55 (7)" in found.text
+
+
+@pytest.mark.parametrize(
+    ("controller", "text"),
+    [
+        ("fanuc", "G4 P500\nG1 X5.\nG4 X2.\nM30\n"), ("siemens840d", "G4 F2\nG1 X5\nG4 S30\nM30\n"),
+        ("heidenhain", "CYCL DEF 9.0 DWELL\nCYCL DEF 9.1 DWELL 2\nL X+5 F100\nFUNCTION DWELL TIME3\nEND PGM A MM\n"),
+    ],
+)  # fmt: skip
+def test_a_dwell_is_in_no_time_and_that_is_noted(controller: str, text: str) -> None:
+    head = {"fanuc": ISO, "siemens840d": SIEMENS, "heidenhain": KLARTEXT}[controller]
+    program = read(head + text, controller)
+    (found,) = [one for one in program.findings if one.code == "dwell"]
+    assert found.severity is Severity.NOTE and found.line == 3 and program.seconds.sum() == pytest.approx(3)
+
+
+@pytest.mark.parametrize("line", ["/L X+5 F100", "/ L X+5 F100", "/14 L X+5 F100", "14 /L X+5 F100"])
+def test_a_klartext_line_may_begin_with_block_skip_and_no_blank(line: str) -> None:
+    for before in ("", "Q1=5\n"):
+        text = before + line.replace("+5", "+Q1") if before else line
+        program = read(f"{KLARTEXT}{text}\n/CC X+0 Y+0\n/C X-5 Y+0 DR+\nEND PGM A MM\n", "heidenhain")
+        assert path(program)[0] == "f 5 0 20" and path(program)[-1] == "f -5 0 20"
+        assert [one.code for one in program.findings] == ["block-skip"] and len(program.words) > 20
+
+
+def test_klartext_arcs_lie_in_the_plane_across_the_tool() -> None:
+    """DR+ goes with the right hand about the tool's axis: from X to -Z about Y, from Y to Z about X."""
+    arcs = (
+        ("Y", "X", "Z", -1.0),
+        ('"F 8 Z" X S100', "Y", "Z", 1.0),
+        ("5 Z", "X", "Y", 1.0),
+        ("S500", "X", "Y", 1.0),
+    )
+    for call, first, second, sense in arcs:
+        text = f"TOOL CALL {call}\nL {first}+10 {second}+0 F100\nCC {first}+0 {second}+0\nC {first}-10 {second}+0 DR+\n"
+        program = read(KLARTEXT + text + "END PGM A MM\n", "heidenhain")
+        middle = program.words[1 + (len(program.words) - 1) // 2]
+        assert not errors(program)
+        assert middle["XYZ".index(second)] * sense == pytest.approx(10.0, abs=0.01)
+
+
+def test_what_klartext_measures_from_another_point_is_an_error() -> None:
+    for line in (
+        "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CENTER-CENTER",
+        "M144",
+        "L Z+20 FMAX M130",
+    ):
+        program = read(f"{KLARTEXT}L X+1 F100\n{line}\nL X+2 F100\nEND PGM A MM\n", "heidenhain")
+        assert errors(program) == ["offset-not-interpreted"]
+    tip = "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT TIP-TIP\n"
+    assert not errors(read(f"{KLARTEXT}{tip}L X+2 F100\nEND PGM A MM\n", "heidenhain"))
+
+
+def test_a_hole_along_another_axis_is_not_written_along_z() -> None:
+    text = "TOOL CALL 5 {} S100\nCYCL DEF 200 DRILLING ~\nQ200=2 ~\nQ201=-3 ~\nQ206=150 ~\nQ202=4 ~\nQ203=0 ~\nQ204=9\nL X+5 FMAX M99\nEND PGM A MM\n"
+    along_y = read(KLARTEXT + text.format("Y"), "heidenhain")
+    assert errors(along_y) == ["cycle-not-interpreted"] and along_y.words[:, 2].tolist() == [20, 20]
+    assert read(KLARTEXT + text.format("Z"), "heidenhain").words[:, 2].min() == -3
+
+
+def test_f_under_g70_is_in_the_basic_system_of_the_control_and_under_g700_in_inches() -> None:
+    text = "{} G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X1 F254\nA90 F90\nMCALL CYCLE84(1,0,.1,-.9,,,,,2,,100)\nX2\nMCALL\nM30\n"
+    metric, g700, g70, basic = (
+        read_nc(text.format(unit).encode(), LINKS, DIALECTS["siemens840d"], assumed=Assumed(units=units))
+        for unit, units in (("G70", "mm"), ("G700", "file"), ("G70", "file"), ("G70", "inch"))
+    )
+    assert minutes(metric)[:2] == pytest.approx([0.1, 1.0])
+    for one in (g700, g70, basic):
+        assert minutes(one)[:2] == pytest.approx([0.1 / 25.4, 1.0])
+    (found,) = [one for one in g70.findings if one.code == "units-not-said"]
+    assert found.line == 3 and "G700" in found.text
+    others = (*g700.findings, *basic.findings, *metric.findings)
+    assert {one.code for one in others}.isdisjoint({"units-not-said"})
+    threads = [one.seconds[4:].sum() for one in (metric, g70, g700, basic)]
+    assert np.ptp(threads) == pytest.approx(0.0, abs=1e-9), "a thread takes its pitch times the speed"
+
+
+def test_an_axis_by_its_number_that_this_machine_has_not_is_an_error() -> None:
+    program = read(SIEMENS + "G75 FP=1 Z1=0\nG1 X1=5 C1=-3.5\nG74 X1=0 Y1=0\nX2\nM30\n", "siemens840d")
+    assert errors(program) == ["unknown-axis"]
+    (found,) = [one for one in program.findings if one.code == "unknown-axis"]
+    assert found.line == 4 and "X1 (4)" in found.text and "C1 (4)" in found.text
+    assert read(SIEMENS + "G1 Y1\nX1=5", "siemens840d").findings[-1].line == 4
+
+
+def test_the_inclination_of_a_vector_is_an_error() -> None:
+    text = ISO + "G43.5 H1\nG1 X1. Y0. Z0. I0 J0 K1.{}\nG49\nG83 X1. Z-1. R2. Q1.\nG80\nM30\n"
+    assert errors(read(text.format(" Q2."), "fanuc")) == ["orientation-not-interpreted"]
+    assert not errors(read(text.format(" Q0"), "fanuc")) and not errors(read(text.format(""), "fanuc"))
+
+
+def test_f_of_grbl_in_inches_counts_mm_whatever_moves() -> None:
+    """gcode.c of grbl-Mega-5X: values.f *= MM_PER_INCH."""
+    program = read("G20 G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 A90. F10.\nX1. A0.\nM30\n", "grbl")
+    assert minutes(program) == pytest.approx([90 / 254, np.hypot(25.4, 90) / 254])
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("G11 R+10 H+30", "polar"), ("G10 R+10 H+30", "polar"), ("G13 R+10 H+30", "polar"), ("G72 F0.9", "offset"),
+        ("G25 R2", "arc"), ("G24 R2", "arc"),
+    ],
+)  # fmt: skip
+def test_din_iso_of_heidenhain_is_named_where_it_is_not_moved(line: str, code: str) -> None:
+    head = "%A G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\nN20 G31 G90 X+100 Y+100 Z+0*\nN30 G00 G90 X+0 Y+0 Z+9 A+0 C+0*\n"
+    program = read(f"{head}N40 G01 X+1 F100*\nN50 {line}*\nN60 G01 X+2*\nN99 %A G71*\n", "heidenhain")
+    assert errors(program) == [f"{code}-not-interpreted"] and program.words[:, 0].tolist() == [0, 1, 2]
+    assert next(one.line for one in program.findings if one.code.startswith(code)) == 6
+    assert not any("G30" in one.text or "G31" in one.text for one in program.findings)
+
+
+@pytest.mark.parametrize("controller", ["fanuc", "haas"])
+def test_what_a_macro_writes_to_a_port_moves_nothing(controller: str) -> None:
+    text = "POPEN\nN10 DPRNT[X#1[53]*AT*Y[#2]]\n/ BPRNT[C*X#100[3]]\n#1=3.\nG1 X#1\nDPRNT[]\nPCLOS\nM30\n"
+    program = read(ISO + text, controller)
+    assert path(program) == ["f 3 0 20"] and codes_of(program) == {}
+    assert errors(read(ISO + "DPRNT[X#1] G1 X3\nG1 X5.\nM30\n", controller)) == ["macro-not-interpreted"]
