@@ -335,7 +335,7 @@ def written(folder, change):
 
 
 @pytest.mark.parametrize(
-    ("key", "near"), [("tabel", "table"), ("safestart", "safe_start"), ("Gauge_Point", "gauge_point")]
+    ("key", "near"), [("tables", "table"), ("safestart", "safe_start"), ("Gauge_Point", "gauge_point")]
 )
 def test_a_misspelt_key_under_fiveaxis_is_refused_and_a_foreign_one_is_not(key, near, tmp_path):
     def misspell(data):
