@@ -129,6 +129,8 @@ def test_where_nothing_can_be_tried_a_whole_sentence_says_so():
     assert read_message.startswith("For this cutter") and read_message.endswith("none was tried.")
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_for_an_upright_flat_cutter_the_ball_that_was_tried_is_named(block):
     """A box under a flat cutter whose axis stays upright keeps its sides."""
     upright = proven(block, cutter="flat:6", passes="scallop", tool_axis="fixed")

@@ -117,6 +117,8 @@ def test_it_leans_to_the_upper_side_whichever_way_the_passes_run(part, order):
     assert (axis[:, 2] > 0.9).all()
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_tilt_that_is_requested_stays_what_it_is(part):
     """To the right of the feed, by so much; and the finding where it leaves the flank, with the tilt that
     does not."""

@@ -125,6 +125,8 @@ def test_a_break_enters_nothing_that_was_not_entered_before(degrees):
     assert entered_length(offset_path(degrees), block) <= before
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 @each_block
 def test_no_closed_pass_vanishes(degrees):
     contact = passes_round(degrees)

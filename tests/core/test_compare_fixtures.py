@@ -125,6 +125,8 @@ def test_what_comes_nearer_than_the_clearance_stands_in_the_table():
     assert "mm from aside" in as_text(found) and "hits" not in as_text(found)
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_the_spindle_of_each_machine_is_looked_at_where_the_tools_length_is_known(monkeypatch):
     """A nose 60 mm wide, 20 mm above the tip of a short tool, over a wall beside the plate that the cutter
     never comes near."""

@@ -300,6 +300,8 @@ def test_what_needs_a_leaning_tool_is_refused_with_the_remedy(parts, files, opti
         )
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_barrel_is_not_leaned_about_one_rotary_axis(parts, files):
     options = {"machine": str(files / "table_a.fcm"), "cutter": "barrel:10:85:2", "stepover": 5}
     with pytest.raises(SettingsError, match=r"leans 82 deg .* choose --tool-axis fixed for upright walls"):

@@ -18,6 +18,7 @@ from mesh_shapes import box, sphere
 from scipy.spatial import cKDTree
 from scipy.spatial.distance import cdist
 from test_fewer_axes import table_a, three
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces, from_triangles, read_stl, write_stl
@@ -212,7 +213,7 @@ def test_a_turn_in_a_feed_block_would_be_noticed():
         locked(simultaneous("block"))
 
 
-@pytest.mark.parametrize("name", PARTS)
+@some_in_core("name", PARTS, kept=(0, 1, 3))
 def test_no_more_than_scallops_stays_on_what_a_frame_sees(name):
     result, mesh = of(name), PARTS[name]()
     point, normal = spread(mesh, 1500)
@@ -507,6 +508,8 @@ def test_a_number_of_frames_alone_asks_for_frames():
     )
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_each_facet_is_of_one_frame_and_passes_are_spaced_by_how_the_cutter_stands_on_these():
     """In the frame that leans about Y the walls across X are not cut: that a flat end mill would stand on its
     edge there is no reason to step more closely."""

@@ -264,6 +264,8 @@ def test_the_real_way_of_a_machine_is_checked_not_the_commanded_one(name):
     assert found.depth[0] > 0.1 and straight.depth[0] == 0.0
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_finer_mesh_of_the_same_part_has_the_same_entries():
     swept = course_through((0, -6.0, 3.0), (0, -1.0, 9.0))
     coarse, fine = step(), step()

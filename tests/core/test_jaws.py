@@ -48,6 +48,8 @@ def tops(chart):
     return {jaw.side: jaw.top for jaw in chart.clamping.jaws}
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_jaw_beside_a_shelf_reaches_as_high_as_the_shelf(tmp_path):
     """The ball goes down to the shelf up to its edge, and on the other side to the top of the plate. In Y the
     last pass is not over the edge: there the ball leaves room for a little more."""
@@ -63,6 +65,8 @@ def test_the_clearance_is_kept_below_the_ball(tmp_path, clearance):
     assert found["-X"] == pytest.approx(-clearance) and found["+X"] == pytest.approx(-6.0 - clearance)
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_thin_jaws_reach_higher_than_thick_ones_under_a_holder_that_leans_over_them(tmp_path):
     """Of a holder 12 mm above the ball's centre, 20 mm in radius and leant by 50 deg, the lowest place is 3 +
     12 cos 50 - 20 sin 50 mm over the part's top, 22 mm beside the tip: over a jaw of 40 mm, beyond one of

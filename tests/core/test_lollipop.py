@@ -147,6 +147,8 @@ def test_its_entries_are_those_of_dense_samples(text):
     assert np.abs(as_ball.depth - sampled).max() > 0.5, "this comparison sees another body"
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_reach_map_knows_that_it_gets_farther_under_a_roof(monkeypatch):
     monkeypatch.setattr(reach_map_module, "PLACES", 1500)
 

@@ -246,6 +246,8 @@ def test_what_no_axis_frees_of_the_machine_is_reported_by_its_area_and_what_a_lo
     assert "farther an axis is free" in one.text
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_where_a_machine_has_no_bodies_nothing_is_requested_and_bodies_far_away_change_no_byte(monkeypatch):
     take_nodes(monkeypatch, NODES)
     plain, far = (

@@ -112,6 +112,8 @@ def test_the_area_beside_a_wall_that_the_ball_does_not_pass_is_that_of_the_close
     assert reach_map(BLOCK, reacher, side).without == ()
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_of_two_fixtures_each_is_reported_with_what_it_alone_keeps_the_tool_from():
     """Behind one wall another: to take away the farther one frees nothing, nor the nearer one what both
     stand over. A clamp on the other side is its own."""
@@ -193,6 +195,8 @@ def test_a_fixture_far_away_changes_no_byte_of_the_report(files, capsys):
     assert reach(files, capsys) == reach(files, capsys, "--fixture", f"{files / 'own.stl'}@300,0,0")
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_job_file_takes_it_relative_to_itself(files, capsys):
     given = {"task": "reach", "source": "block.stl", "machine": "trunnion_ac", "cutter": "ball:6:16"}
     given |= {"holder": "20x40", "fixture": ["own.stl@34,-4,0"], "report": ["job.json.out.json"]}

@@ -142,6 +142,8 @@ def test_what_the_machine_cannot_turn_to_is_beyond_its_limits(coarse):
     ).all()
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_what_stopped_the_luckiest_axis_is_named_though_later_ones_are_beyond_the_limits(coarsest):
     """On a slot's floor all axes up to 30 deg meet the holder, all farther ones are none of this
     machine's."""
@@ -277,6 +279,8 @@ def test_the_ball_that_would_fit_is_that_of_the_closed_form():
         assert smaller_ball(mesh, reacher, found, share) == pytest.approx(radius), share
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_no_smaller_ball_is_named_where_none_is_missing_and_fixtures_are_in_the_way(coarse):
     reacher = Reacher(BALL)
     wide = slot(14.0, 20.0, 60.0)

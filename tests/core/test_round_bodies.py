@@ -151,6 +151,8 @@ def test_rapids_of_independent_axes_go_over_the_clamp_too(monkeypatch):
     assert not codes(free) & {"machine-collision", "machine-unproven"} and "links-raised" in codes(free)
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_where_the_travel_ends_it_is_reported_how_much_is_missing(monkeypatch):
     """A clamp 700 mm high, and with the tool of 80 mm the word of Z goes to 420 mm."""
     with_post(monkeypatch, "trunnion_ac", 700.0)
@@ -161,6 +163,8 @@ def test_where_the_travel_ends_it_is_reported_how_much_is_missing(monkeypatch):
     assert "Z would have to go 280" in one.text and "higher than its limit 420 mm" in one.text
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_where_a_longer_tool_would_help_it_is_reported_by_how_much(monkeypatch):
     """Beside a tower the spindle hits at every height that the tower has; 30 mm of tool more is above it."""
     nose = MachineBody("nose", "spindle", "cylinder", ((0.0, 0.0, 0.0), (0.0, 0.0, 60.0)), (35.0,))

@@ -170,6 +170,8 @@ def test_far_bodies_change_nothing_but_that_somebody_has_looked(given, tmp_path)
         assert one | {"machine_hit": None} == other
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_where_a_longer_tool_is_free_it_is_reported_and_mill_with_it_hits_nothing(given, tmp_path, capsys):
     """The holder of 20 mm radius over the part's top, at 6 mm, goes into a post that is 60 mm high and 25 mm
     beside the part's middle, wherever the part stands; over it a tool of 54 mm is free."""

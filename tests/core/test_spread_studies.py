@@ -73,7 +73,9 @@ def words_of(name, roof):
     return [name, roof, *options, "--quiet"]
 
 
-@some_in_core("name", TRIALS)
+@pytest.mark.oldest
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", TRIALS)
 def test_the_command_line_spreads_it(name, roof, tmp_path):
     report, other = tmp_path / "one.json", tmp_path / "two.json"
     assert cli.main([*words_of(name, roof), "--report", str(report)]) == cli.main(

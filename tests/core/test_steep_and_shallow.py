@@ -458,6 +458,8 @@ def test_with_faces_to_machine_and_to_avoid(files):
     assert (place[:, 2] > 11.9).any() and (place[:, 2] < 5).any()  # the top and the ends
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_with_a_boundary(files, tmp_path):
     curve = tmp_path / "b.csv"
     curve.write_text("-10,-25,0\n10,-25,0\n10,25,0\n-10,25,0\n-10,-25,0\n")

@@ -161,6 +161,8 @@ def test_axes_that_no_tool_changes_leave_the_sentence_as_it_is(more, option):
     assert ("another path" in finding_of(chart)) == (option is not None) == bool(chart.stick_out.to_try)
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_length_that_is_needed_is_stated_of_this_path_and_no_shorter_one_is_named():
     chart = found(wall(40.0), cutter="ball:6:30", max_axis_angle=10.0, gouge="tilt")
     assert chart.stick_out.met is not None and not chart.stick_out.to_try

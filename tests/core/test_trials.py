@@ -72,6 +72,8 @@ def test_setup_prints_the_origin_that_makes_mill_reach_the_deviation_of_the_map(
     assert best["max_deviation"] < record["setups"][0]["max_deviation"]
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_a_turned_setup_says_how_to_turn_the_part(part, capsys):
     run("setup", part, "--machine", "head_b_table_c", "--tool-length", "80", *QUICK, *SMALL, "--turns", "3")
     out = capsys.readouterr().out

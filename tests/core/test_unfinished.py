@@ -192,7 +192,9 @@ def milled_groove(cutter, rest):
     return job.prove(job.make(build_settings("mill", "groove", given), mesh=GROOVE))
 
 
-@some_in_core("cutter", ["ball:10", "ball:11"])
+@pytest.mark.oldest
+@pytest.mark.thorough
+@pytest.mark.parametrize("cutter", ["ball:10", "ball:11"])
 def test_beside_what_is_out_of_reach_as_much_stays_as_the_map_finds(cutter):
     """No cure changes anything here, and the floor alone, which no ball of 10 touches, is half of it."""
     quick, mapped = (milled_groove(cutter, rest) for rest in ("off", "on"))
@@ -274,6 +276,8 @@ def test_a_side_that_no_pass_touches_is_left_to_the_map_where_there_is_one(uncut
     assert still_true((side,), None, None, ()) == (side,)
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_rings_of_slivers_narrower_than_the_passes_are_apart_are_no_sides():
     """A cup with a fillet of many narrow rings: passes go round between them, and the ball sweeps all."""
     angle = np.linspace(-math.pi / 2.0, 0.0, 14)

@@ -70,6 +70,8 @@ def test_of_a_top_along_the_passes_no_other_cutter_is_requested():
     assert "cut it with other passes" in uncut.text and "smaller cutter" not in uncut.text
 
 
+@pytest.mark.oldest
+@pytest.mark.thorough
 def test_what_is_left_elsewhere_still_asks_for_a_smaller_cutter():
     figures, _, _ = judged(solid_of_revolution([(0.0, 2.0), (4.0, 2.0), (4.0, 8.0), (10.0, 8.0), (10.0, 0.0), (0.0, 0.0)], 24), passes="scallop", rest="on")  # fmt: skip
     (uncut,) = [one for one in figures.findings if one.code == "uncut"]
