@@ -15,7 +15,7 @@ from mesh_shapes import box
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge import still_positions
-from freecad_fiveaxis.core.gouge.fixture_in_part import PRESSED, find_deep
+from freecad_fiveaxis.core.gouge.fixture_in_part import PRESSED, find_common, find_deep, report_in_part
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.machine_check import InMachine
 from freecad_fiveaxis.core.gouge.machine_in_pose import machine_in_pose
@@ -231,3 +231,26 @@ def test_in_the_part_is_what_lies_deeper_in_it_than_a_jaw_is_pressed():
     assert 14 <= x <= 16 and 11 <= y <= 13 and 0.0 < z < 20.0
     assert find_deep(from_triangles(BLOCK.vertex[BLOCK.face][2:] + 4.0), BLOCK) is not None
     assert find_deep(pin, from_triangles(BLOCK.vertex[BLOCK.face][2:])) is None, "an open part has no inside"
+
+
+@pytest.mark.parametrize("larger", [0.0, 0.5 * PRESSED, -0.5 * PRESSED])
+def test_the_part_itself_and_what_is_little_larger_or_smaller_is_no_fixture(larger):
+    low, high = BLOCK.box
+    twin = from_triangles(box(low - larger, high + larger))
+    assert find_deep(twin, BLOCK) is None and find_deep(BLOCK, twin) is None
+    x, y, z = find_common(twin, BLOCK) or find_common(BLOCK, twin)
+    assert ((np.array((x, y, z)) - low) > PRESSED).all() and ((high - (x, y, z)) > PRESSED).all()
+    (found,) = report_in_part(BLOCK, [Fixture("own.stl", twin)])
+    assert found.code == "fixture-in-part" and "own.stl stands in the part" in found.text
+
+
+def test_jaws_on_all_sides_have_nothing_in_common_with_the_part():
+    low, high = BLOCK.box
+    for axis in range(3):
+        for side in (low - 5.0, high):
+            end = np.where(np.arange(3) == axis, side, low - 3.0)
+            jaw = from_triangles(box(end, np.where(np.arange(3) == axis, side + 5.0, high + 3.0)))
+            assert find_common(BLOCK, jaw) is None is find_common(jaw, BLOCK)
+    assert find_common(BLOCK, from_triangles(BLOCK.vertex[BLOCK.face][2:])) is None, (
+        "an open one has no inside"
+    )

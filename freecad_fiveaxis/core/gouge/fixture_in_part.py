@@ -5,7 +5,9 @@ in place of a vise.
 touch     jaws lie on the part, a soft one is pressed into it, and both are meshed by chords: PRESSED is none.
 told      a task that makes no program refuses it; a program that is made or audited has it as its first
           finding, an error, before all that is told of the fixture where it cannot stand.
-deep      a sample of the one's surface in the other, about which a ball of PRESSED meets none of its facets.
+deep      a sample of the one's surface in the other, about which a ball of PRESSED meets none of its facets;
+          or such a place below the surface, which lies so deep in both: where the fixture is the part itself,
+          or a body little larger or smaller than it, neither's surface lies deep in the other.
 """
 
 from __future__ import annotations
@@ -33,6 +35,9 @@ PRESSED = 1.0
 
 ALONG = 60
 """Samples along the shorter of part and fixture, about."""
+
+BELOW = 1.01
+"""Of PRESSED: so deep below the surface is looked for what lies in both."""
 
 NOTHING = 1e-6
 """mm: a facet that comes so far into the ball meets it."""
@@ -67,8 +72,9 @@ def _find_in_part(
     mesh: Mesh, fixtures: Sequence[Fixture]
 ) -> Iterator[tuple[Fixture, tuple[float, float, float]]]:
     for one in fixtures:
-        place = find_deep(one.mesh, mesh)
-        place = find_deep(mesh, one.mesh) if place is None else place
+        pairs = (one.mesh, mesh), (mesh, one.mesh)
+        places = (find(*pair) for find in (find_deep, find_common) for pair in pairs)
+        place = next((place for place in places if place is not None), None)
         if place is not None:
             yield one, place
 
@@ -80,21 +86,41 @@ def find_deep(mesh: Mesh, other: Mesh) -> tuple[float, float, float] | None:
     if not near.any() or not is_closed(other):
         return None
     point, _, _ = surface_samples(mesh, _choose_spacing(mesh, other), near)
-    point = point[inside(facet_tree(other), point)]
+    return _take_first(_select_deep(point, other))
+
+
+def find_common(mesh: Mesh, other: Mesh) -> tuple[float, float, float] | None:
+    """Find a place (3,) mm that lies deeper than PRESSED in ``mesh`` and in the ``other``, little below the
+    surface of the first; None where no sample does, or one is not closed."""
+    near = _find_facets_near(mesh, other, BELOW * PRESSED)
+    if not near.any() or not (is_closed(other) and is_closed(mesh)):
+        return None
+    point, facet, _ = surface_samples(mesh, _choose_spacing(mesh, other), near)
+    below = point - BELOW * PRESSED * mesh.normal[facet]
+    return _take_first(_select_deep(_select_deep(below, other), mesh))
+
+
+def _select_deep(point: Floats, mesh: Mesh) -> Floats:
+    """Select those of the points (n, 3) mm that lie deeper than PRESSED in a closed mesh."""
+    point = point[inside(facet_tree(mesh), point)]
     up = np.tile((0.0, 0.0, 1.0), (len(point), 1))
     ball = Body((round_piece(0.0, PRESSED, PRESSED),))
-    deep = point[~enters(ball, facet_tree(other), point - PRESSED * up, up, NOTHING)]
-    if not len(deep):
+    return point[~enters(ball, facet_tree(mesh), point - PRESSED * up, up, NOTHING)]
+
+
+def _take_first(point: Floats) -> tuple[float, float, float] | None:
+    if not len(point):
         return None
-    x, y, z = deep[0].tolist()
+    x, y, z = point[0].tolist()
     return x, y, z
 
 
-def _find_facets_near(mesh: Mesh, other: Mesh) -> Bools:
-    """Find the facets (f,) whose boxes reach into the other's box."""
+def _find_facets_near(mesh: Mesh, other: Mesh, margin: float = 0.0) -> Bools:
+    """Find the facets (f,) whose boxes reach into the other's box, or come nearer to it than a margin, mm."""
     low, high = other.box
     corner = mesh.vertex[mesh.face]
-    return np.asarray(((corner.max(axis=1) > low) & (corner.min(axis=1) < high)).all(axis=1))
+    reach = (corner.max(axis=1) > low - margin) & (corner.min(axis=1) < high + margin)
+    return np.asarray(reach.all(axis=1))
 
 
 def _choose_spacing(mesh: Mesh, other: Mesh) -> float:
