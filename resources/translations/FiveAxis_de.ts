@@ -4856,15 +4856,15 @@
         <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen.</translation>
     </message>
     <message>
-        <source>Closed passes begin where {letter} has room for their whole turn within its limits: inside cuts it turns back {after} times instead of {before}.</source>
+        <source>Closed passes begin where {letter} has room for their whole turn within its limits: inside cuts it turns back {after} instead of {before} times.</source>
         <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für die ganze Umdrehung hat: mitten im Schnitt dreht sie {after}-mal zurück statt {before}-mal.</translation>
     </message>
     <message>
-        <source>Closed passes begin where {letter} has room for their whole turn within its limits: it turns back {after} times instead of {before}.</source>
+        <source>Closed passes begin where {letter} has room for their whole turn within its limits: it turns back {after} instead of {before} times.</source>
         <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für eine ganze Drehung hat: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
     </message>
     <message>
-        <source>Closed passes run by turns one way round and the other, so that {letter} goes to and fro within its limits: it turns back {after} times instead of {before}.</source>
+        <source>Closed passes run by turns one way round and the other, so that {letter} goes to and fro within its limits: it turns back {after} instead of {before} times.</source>
         <translation>Geschlossene Bahnen laufen abwechselnd herum und andersherum, so dass {letter} innerhalb ihrer Grenzen hin und her geht: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
     </message>
     <message>
@@ -6326,6 +6326,10 @@
     <message>
         <source>a rotary axis turns against ISO 841</source>
         <translation>eine Rundachse dreht gegen ISO 841</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns back inside a cut</source>
+        <translation>eine Rundachse dreht mitten in einem Schnitt zurück</translation>
     </message>
     <message>
         <source>a rotary axis turns back inside a cut, with the tool retracted</source>

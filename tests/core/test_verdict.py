@@ -225,6 +225,8 @@ def test_rewinds_are_one_reason_with_their_count():
     assert list_reported(calm(findings=(one, all_of_them))).reasons == (
         "a rotary axis turns back inside cuts, 15 times",
     )
+    once = replace(all_of_them, value=1.0)
+    assert list_reported(calm(findings=(once,))).reasons == ("a rotary axis turns back inside a cut",)
 
 
 def test_what_a_least_interval_leaves_is_a_height_and_not_the_interval():

@@ -128,13 +128,13 @@ def _report_rings(context: MillContext, before: JointPath, after: JointPath) -> 
     if after.inside == before.inside:
         text, spared = say(
             "Closed passes begin where {letter} has room for their whole turn within its limits: it turns "
-            "back {after} times instead of {before}.",
+            "back {after} instead of {before} times.",
             letter=letter, after=after.rewinds, before=before.rewinds,
         ), before.rewinds - after.rewinds  # fmt: skip
     else:
         text, spared = say(
             "Closed passes begin where {letter} has room for their whole turn within its limits: inside cuts "
-            "it turns back {after} times instead of {before}.",
+            "it turns back {after} instead of {before} times.",
             letter=letter, after=after.inside, before=before.inside,
         ), before.inside - after.inside  # fmt: skip
     return report_finding(Code.RINGS_BEGUN_ELSEWHERE, text, float(spared), unit="1")
@@ -144,7 +144,7 @@ def _report_reversed(context: MillContext, before: JointPath, after: JointPath) 
     """Say that closed passes run the other way round, and what that spares."""
     text = say(
         "Closed passes run by turns one way round and the other, so that {letter} goes to and fro within its "
-        "limits: it turns back {after} times instead of {before}.",
+        "limits: it turns back {after} instead of {before} times.",
         letter=context.kinematics.letters[_wide_axis(context) or 3],
         after=after.rewinds,
         before=before.rewinds,

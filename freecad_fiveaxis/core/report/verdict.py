@@ -268,7 +268,11 @@ def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) 
         near = numbers["singular_blocks"] - numbers["blocks_at_pole"]
         return plural(near, "{count} block near the pole", "{count} blocks near the pole")
     if code == Code.REWINDS:
-        return say("a rotary axis turns back inside cuts, {count} times", count=int(worst.value or 0.0))
+        return plural(
+            int(worst.value or 0.0),
+            "a rotary axis turns back inside a cut",
+            "a rotary axis turns back inside cuts, {count} times",
+        )
     clause = WARNED.get(code)
     if (
         clause is None
