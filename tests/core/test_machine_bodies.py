@@ -79,7 +79,8 @@ def moved(axis, by):
     if not axis.rotary:
         found[..., :3, 3] = by[..., None] * np.array(axis.direction)
         return found
-    turn = Rotation.from_rotvec(np.radians(by)[..., None] * np.array(axis.direction)).as_matrix()
+    turn = Rotation.from_rotvec(np.radians(by).reshape(-1, 1) * np.array(axis.direction)).as_matrix()
+    turn = turn.reshape(*by.shape, 3, 3)
     found[..., :3, :3], found[..., :3, 3] = turn, np.array(axis.point) - turn @ axis.point
     return found
 
