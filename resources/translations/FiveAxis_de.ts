@@ -6864,10 +6864,6 @@
         <translation>Zyklen, deren Bewegungen hier fehlen; Geraden ausgeben</translation>
     </message>
     <message>
-        <source>did you mean {near}? </source>
-        <translation>ist {near} gemeint? </translation>
-    </message>
-    <message>
         <source>direction {angle} is no angle; give a number of degrees</source>
         <translation>die Richtung {angle} ist kein Winkel; eine Zahl in Grad angeben</translation>
     </message>

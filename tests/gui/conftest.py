@@ -830,3 +830,12 @@ def parameters():
                 "String": found.SetString, "Integer": found.SetInt, "Float": found.SetFloat, "Boolean": found.SetBool,
                 "Unsigned Long": found.SetUnsigned,
             }[kind](name, value)  # fmt: skip
+
+
+@pytest.fixture
+def dome(doc):
+    """The upper half of a ball, 20 mm."""
+    part = doc.addObject("Part::Sphere", "Dome")
+    part.Radius, part.Angle1 = 20, 0
+    doc.recompute()
+    return part

@@ -22,14 +22,6 @@ COARSE = {
 
 
 @pytest.fixture
-def dome(doc):
-    part = doc.addObject("Part::Sphere", "Dome")
-    part.Radius, part.Angle1 = 20, 0
-    doc.recompute()
-    return part
-
-
-@pytest.fixture
 def block(doc):
     part = doc.addObject("Part::Box", "Block")
     part.Length, part.Width, part.Height = 60, 35, 20

@@ -26,15 +26,6 @@ def _fresh(parameters):
 
 
 @pytest.fixture
-def dome(doc):
-    """The upper half of a ball, 20 mm."""
-    part = doc.addObject("Part::Sphere", "Dome")
-    part.Radius, part.Angle1 = 20, 0
-    doc.recompute()
-    return part
-
-
-@pytest.fixture
 def open_panel(dome, doc, pump):
     """open_panel(name): the panel of that module, opened over the dome."""
 

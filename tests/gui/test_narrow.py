@@ -45,15 +45,6 @@ def language(request, window):
     FreeCADGui.setLocale("English")
 
 
-@pytest.fixture
-def dome(doc):
-    """The upper half of a ball, 20 mm."""
-    part = doc.addObject("Part::Sphere", "Dome")
-    part.Radius, part.Angle1 = 20, 0
-    doc.recompute()
-    return part
-
-
 def open_player(path):
     """The panel that plays a path."""
     play.show(path)

@@ -31,14 +31,6 @@ def unit(request):
     FreeCAD.Units.setSchema(before)
 
 
-@pytest.fixture
-def dome(doc):
-    part = doc.addObject("Part::Sphere", "Dome")
-    part.Radius, part.Angle1 = 20, 0
-    doc.recompute()
-    return part
-
-
 def test_a_finding_in_german_and_in_every_schema(german, unit):
     message = say(
         "The cutter goes {depth} too deep into the part at {at}.",

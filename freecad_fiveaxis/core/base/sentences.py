@@ -16,8 +16,9 @@ and :class:`Template` are therefore written out as literals.
 
 from __future__ import annotations
 
+import difflib
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any, ClassVar
@@ -231,6 +232,13 @@ def plural(count: int, one: str, many: str, **values: Any) -> Sentence:
     """Return the sentence of ``one`` for a count of 1, that of ``many`` for any other; both may name
     ``{count}``."""
     return say(one if count == 1 else many, count=int(count), **values)
+
+
+def ask_for_near(given: str, names: Collection[str]) -> Sentence | str:
+    """Return the question whether that name was meant which is nearest to the one ``given``, with a space
+    behind it; empty where none of the ``names`` is near."""
+    near = difflib.get_close_matches(given, names, n=1)
+    return say("did you mean {near}? ", near=near[0]) if near else ""
 
 
 class Template(str):

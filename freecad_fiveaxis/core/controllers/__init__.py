@@ -3,10 +3,8 @@
 
 from __future__ import annotations
 
-import difflib
-
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import ask_for_near, say
 
 from .dialect import ANGLES, VECTORS, Dialect, Guide
 from .fanuc import FANUC
@@ -26,8 +24,7 @@ DIALECTS: dict[str, Dialect] = {
 def find_dialect(name: str) -> Dialect:
     """Return the dialect of that name, in any case. Raises SettingsError that lists the names."""
     if name.lower() not in DIALECTS:
-        near = difflib.get_close_matches(name.lower(), DIALECTS, n=1)
-        hint = say("did you mean {near}? ", near=near[0]) if near else ""
+        hint = ask_for_near(name.lower(), DIALECTS)
         known = say("known are {dialects}", dialects=", ".join(DIALECTS))
         raise SettingsError(
             say("unknown controller {name}; {hint}{known}", name=repr(name), hint=hint, known=known), name

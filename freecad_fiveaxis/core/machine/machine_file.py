@@ -5,7 +5,6 @@ program. What stands in them: :mod:`.file_objects`.
 
 from __future__ import annotations
 
-import difflib
 import json
 import os
 import re
@@ -18,7 +17,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.errors import FileError, MachineError
 from freecad_fiveaxis.core.base.files import read_bytes, write_whole
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import ask_for_near, say
 
 from .model import Machine
 
@@ -53,8 +52,7 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
         return _load_file(path)
     names = list_shipped_machines()
     beside = [given + SUFFIX] if os.path.isfile(given + SUFFIX) else []
-    near = beside or difflib.get_close_matches(given.lower().replace("-", "_"), names, n=1)
-    hint = say("did you mean {near}? ", near=near[0]) if near else ""
+    hint = ask_for_near(given + SUFFIX, beside) or ask_for_near(given.lower().replace("-", "_"), names)
     known = say("known: {names}, or give a {suffix} file", names=", ".join(names), suffix=SUFFIX)
     raise MachineError(
         say("no machine is called {given}; {hint}{known}", given=reprlib.repr(given), hint=hint, known=known),
