@@ -407,6 +407,8 @@ def test_every_option_stands_in_the_group_that_the_property_editor_has_it_in_or_
 def test_largest_tilt_is_requested_where_either_choice_needs_it(panel, field, until):
     tilt, gouge, axis = (panel.options.fields[name] for name in ("max_tilt", "gouge", "tool_axis"))
     lead = panel.options.fields["lead"].editor
+    for group in panel.options.groups.values():  # whatever tests before have folded
+        group.unfold()
     assert not tilt.editor.isVisible()
     gouge.show_value("tilt")  # joins the list where the core has no such choice
     until(tilt.editor.isVisible, 20000, "the largest tilt")

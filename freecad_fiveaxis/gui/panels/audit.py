@@ -44,13 +44,12 @@ class AuditPanel(PathPanel):
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values. Their cutter counts until a file is chosen that names another one, unless it was
         given for the audit that is there."""
-        cutter, given = self.options.fields["cutter"], self.obj is not None and not self.obj.CutterFromProgram
         self.seen = None
-        self.options.show_options(values)
-        self.named = cutter.value() if self.obj is not None and not given else None
-        self.first = cutter.value()
-        self.seen = None if given else (self.file.value(), cutter.value())
         super().fill(values)
+        given = self.obj is not None and not self.obj.CutterFromProgram
+        self.first = self.options.fields["cutter"].value()
+        self.named = self.first if self.obj is not None and not given else None
+        self.seen = None if given else (self.file.value(), self.first)
 
     def _on_edit(self) -> None:
         self._follow_program()
