@@ -27,7 +27,7 @@ marked = $(sort $(shell grep -rlE '$(1)' --include='test_*.py' tests/core tests/
 # the files of tests whose marks are these words; to read all others takes longer than some rings (tests/conftest.py looks that none is missed).
 # Sorted: the file whose engines take longest to begin lies whole in one half
 
-.PHONY: help demo test test-all changed lint docs core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
+.PHONY: help demo test test-all changed lint docs core oldest slow large interpreter linuxcnc freecad runner headless headless-short window window-short \
     sitting test-matrix trixie forky chroots install release bench bench-window mutants clean
 
 help:
@@ -39,7 +39,7 @@ demo:
 
 test:
 	@bash scripts/prepare test
-	@bash scripts/rings lint core headless -- window-short interpreter sitting
+	@bash scripts/rings lint core headless-short -- window-short interpreter sitting
 
 test-all: # what must pass before anything lands
 	@bash scripts/prepare test
@@ -96,6 +96,11 @@ runner: # of the rings in FreeCAD, from outside: what it says of tests that fail
 	@bash scripts/prepare sitting
 	$(PYTHON) -m pytest tests/freecad/test_run.py
 	$(PYTHON) -m pytest tests/sitting/test_run.py
+
+headless-short: # without tests of two seconds and more, which the whole ring has
+	@bash scripts/prepare test
+	@bash scripts/prepare freecad
+	FIVEAXIS_MARKED="not thorough" bash tests/freecad/run headless
 
 headless:
 	@bash scripts/prepare test

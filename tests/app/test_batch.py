@@ -103,6 +103,7 @@ def folders(tmp_path_factory):
     return out, *batch(parts, out, *given)
 
 
+@pytest.mark.thorough
 def test_every_part_has_nc_and_reports_and_no_other_file_is_there(folders):
     out, _, lines = folders
     names = ("cut", "dome", "job", "pair-Left", "pair-Right", "path")

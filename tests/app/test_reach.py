@@ -78,6 +78,7 @@ def test_the_stick_out_that_is_named_frees_nine_tenths_of_what_the_holder_held(s
     assert shorter.HolderInTheWay.Value > (1.0 - reach.ENOUGH) * held
 
 
+@pytest.mark.thorough
 def test_the_numbers_are_those_of_the_command_line(slot, tmp_path):
     file, report = tmp_path / "slot.stl", tmp_path / "reach.json"
     mesh = app.tessellate(slot, file)
@@ -174,6 +175,7 @@ def test_the_map_follows_its_part_and_says_when_it_is_old(doc, slot):
     assert result.UpToDate and result.WholeArea.Value == pytest.approx(slot.Shape.Area, rel=1e-5)
 
 
+@pytest.mark.thorough
 def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_requested(slot, reopen, anew):
     result = app.reach_map(floor(slot), **TOOL, work_zero=(1, 2, 3), largest_axis_angle=120)
     kept = {
@@ -241,6 +243,7 @@ def test_the_places_of_the_picture_are_those_of_the_map(slot):
     assert results.out_of_date(found and slot.Document.ReachMap) == ""
 
 
+@pytest.mark.thorough
 def test_of_a_tool_path_other_faces_are_chosen_on_its_part(doc, slot):
     path = app.create_toolpath(
         doc,

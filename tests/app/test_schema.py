@@ -74,6 +74,7 @@ def test_it_is_recomputed_to_the_same_program(old, reopen, anew):
     assert results.out_of_date(again.Toolpath) == "" and list(again.Markers.Labels)
 
 
+@pytest.mark.thorough
 def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen, anew):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, **UNCURED)
     blocks, deviation = path.Blocks, path.MaxSegmentDeviation.Value

@@ -69,6 +69,7 @@ def jaw(doc):
     return result
 
 
+@pytest.mark.thorough
 def test_what_holds_the_part_goes_into_the_map_and_a_change_of_it_makes_the_map_old(path, jaw):
     path.Holder = "30x20"
     path.recompute()
@@ -91,6 +92,7 @@ def test_what_holds_the_part_goes_into_the_map_and_a_change_of_it_makes_the_map_
     assert result.UpToDate and not path.Fixtures and not any("Jaws" in text for text in result.Findings)
 
 
+@pytest.mark.thorough
 def test_fixtures_of_a_map_that_cannot_be_stay_what_they_were(path, jaw, ball):
     app.setup_map(path, **SMALL, fixtures=[jaw])
     shown = path.Fingerprint

@@ -162,6 +162,8 @@ def test_everywhere_else_it_cuts_as_before(outcome, name):
     assert finished[0] > 0.985 and finished[0] > finished[1] - 0.01
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_the_strip_is_reported_with_its_area_and_the_verdict_names_it(outcome):
     """4 mm of the floor 40 mm long, and of shelf and ends where the ball over them is no more than 4 mm from
     the wall."""

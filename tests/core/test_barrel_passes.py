@@ -77,6 +77,8 @@ def walls(result):
     return path.contact[rows], path.normal[rows], path.axis[rows], path.tip[rows], lean
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_on_a_steep_wall_the_middle_of_its_flank_touches_and_the_axis_stands_up(with_barrel):
     contact, _, axis, tip, lean = walls(with_barrel)
     barrel = parse_cutter(BARREL).barrel

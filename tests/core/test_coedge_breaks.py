@@ -105,7 +105,7 @@ def entered_length(path, mesh):
     return np.linalg.norm(point[-1] - point[0], axis=1)[clearance(path, mesh) < RADIUS - 0.05].sum()
 
 
-@some_in_core("degrees", BLOCKS)
+@some_in_core("degrees", BLOCKS, kept=(1,))
 def test_what_the_ball_can_touch_is_finished(degrees):
     path = offset_path(degrees)
     assert finished_share(undercut_block(degrees), path) >= 0.97

@@ -113,6 +113,8 @@ def test_all_cures_of_the_table_are_tried_here_and_differ():
     assert len({row.deviation for row in rows}) == 3
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_each_machine_gets_the_program_that_mill_makes_for_it():
     names = ("trunnion_ac", "head_b_table_c")
     rows = compared(CAP, "none,linearize", ",".join(names), **GIVEN).rows[::2]

@@ -59,6 +59,8 @@ def test_each_row_meets_the_fixture_as_the_program_that_mill_makes(more):
     assert worst(row.fixtures) == worst(result.findings) and row.fixtures[0].value > 1.0
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_unless_another_cure_is_named_the_path_is_lifted_out_of_the_fixture_as_in_mill():
     row, result = compared("none").rows[0], milled()
     assert row.blocks == len(result.draft.program.words) and row.fixtures == ()

@@ -132,6 +132,8 @@ def test_on_a_box_plane_faces_are_finished_up_to_their_edges(cutter, radius, ris
     assert not [one for one in result.findings if one.code in ("overcut", "lifted")]
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_the_mean_of_the_normals_would_leave_much_of_them(milled):
     result = milled("flat:6", tool_axis="facet_mean")
     left = find_left(result, 3.0)

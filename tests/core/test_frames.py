@@ -577,6 +577,8 @@ def in_planes():
     return milled(block(), within_frames="planes", direction=30)
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_planes_in_each_frame_contain_its_axis_and_leave_no_more_than_scallops():
     result, mesh = in_planes(), block()
     assert locked(result) == 2

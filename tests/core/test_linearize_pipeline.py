@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plain import PLAIN_WORDS, build_settings
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -175,7 +176,7 @@ def test_linuxcnc_accepts_divided_programs(part, machine, mode, milled, tmp_path
     assert done.returncode == 0, done.stderr[-400:]
 
 
-@pytest.mark.parametrize(("part", "machine"), CASES)
+@some_in_core(("part", "machine"), CASES, kept=(2,))
 def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
     outcome = milled(part, machine).draft
     assert milled(part, machine, linearize="off", singularity="report").draft.nc == outcome.nc
@@ -194,7 +195,7 @@ def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
     assert milled(part, machine, linearize="on").draft.nc != outcome.nc
 
 
-@pytest.mark.parametrize("machine", ["trunnion_ac", "fork_head_bc"])
+@some_in_core("machine", ["trunnion_ac", "fork_head_bc"], kept=(1,))
 def test_at_the_pole_only_blocks_that_pass_the_cone_are_divided(machine, milled):
     result, whole = milled("saddle", machine, singularity="linearize"), milled("saddle", machine).draft
     outcome = result.draft

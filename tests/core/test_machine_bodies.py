@@ -293,6 +293,8 @@ def test_a_body_that_cannot_be_used_is_refused_in_one_line(tmp_path, body, repor
     assert reported in str(raised.value) and "\n" not in str(raised.value) and "own.fcm" in str(raised.value)
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_the_example_cuts_a_part_free_of_its_bodies_and_a_short_tool_brings_the_spindle_into_them(tmp_path):
     """On the trunnion of examples/, whose table turns up beside the tool; with a stub of a tool the nose hits
     what holds the table."""

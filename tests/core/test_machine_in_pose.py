@@ -268,6 +268,8 @@ def test_where_a_machine_has_no_bodies_nothing_is_requested_and_bodies_far_away_
     assert result[0].nc == result[1].nc
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_the_reach_map_tells_where_the_machine_is_in_the_way_and_a_longer_tool_helps():
     """A wall of the table 12 mm beside a block: the nose of a spindle close above a short tool hits it, over
     a longer one it does not."""

@@ -58,6 +58,8 @@ def all_axes(normal):
     return np.concatenate([choose_trial_axes(normal, tilt, 0.0) for tilt in TILTS], axis=1)
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_what_the_wall_keeps_the_tool_from_is_what_dense_samples_of_every_axis_say():
     """At places of each kind on the block: where the map says *fixture*, some axis that is wanted keeps the
     part out of the tool, and all that do have the wall in it; where it says *reachable*, its axis keeps both
@@ -180,6 +182,8 @@ def reach(files, capsys, *more, code=cli.DONE):
     return capsys.readouterr().out, record
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_the_command_line_names_the_fixture_as_a_reason_with_its_area(files, capsys):
     text, record = reach(files, capsys, "--fixture", str(files / "wall.stl"))
     area = record["summary"]["by_reason"]["fixture"]

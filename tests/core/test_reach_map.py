@@ -356,6 +356,8 @@ def cavity():
     return mesh, [Fixture(f"plate {k}", from_triangles(np.array(one, float))) for k, one in enumerate(plate)]
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_where_the_tool_stands_freely_but_cannot_be_drawn_out_is_reported_with_its_area(coarse):
     """It is no closed hollow, for the slit is open, but no ball of 6 mm gets through that."""
     mesh, plates = cavity()

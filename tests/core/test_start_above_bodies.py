@@ -171,6 +171,8 @@ def begin(nc, start, plane):
     return drive((x, y, plane, a, c), first)
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 def test_from_unknown_places_nothing_is_hit_and_the_plane_of_the_part_alone_would_hit(tmp_path):
     result = posted(tmp_path)
     plane = result.draft.plane.z

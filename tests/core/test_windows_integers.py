@@ -45,6 +45,8 @@ def files(folder):
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
+@pytest.mark.thorough
+@pytest.mark.oldest
 @some_in_core(
     "options",
     [

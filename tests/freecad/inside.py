@@ -8,6 +8,7 @@ crashes of a shut-down. A test that does not end within ``$FIVEAXIS_TEST_LIMIT``
 its stack printed; then the process ends. The test that runs is named in ``$FIVEAXIS_AT``; with
 ``$FIVEAXIS_FROM`` the tests before the one of that name are left out. ``$FIVEAXIS_AGAIN``: see SecondTry.
 ``$FIVEAXIS_PART``, as 2/3: of the tests in their order, the second of three equal parts.
+``$FIVEAXIS_MARKED``: which tests run, by their marks, in the words of pytest's -m.
 """
 
 import faulthandler
@@ -137,6 +138,7 @@ def run_pytest(out):
         "--confcutdir",
         ROOT,
         *shlex.split(os.environ["FIVEAXIS_PYTEST_ARGUMENTS"]),
+        *(["-m", os.environ["FIVEAXIS_MARKED"]] if os.environ.get("FIVEAXIS_MARKED") else []),
     ]
     watch = Watch(out, folder)
     code = pytest.main(options, plugins=[watch, SecondTry(out)] if FreeCAD.GuiUp else [watch])
