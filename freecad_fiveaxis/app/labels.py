@@ -117,6 +117,7 @@ def _of_passes() -> dict[str, str]:
         "steep_shallow": translate("FiveAxis", "Steep from"),
         "max_axis_angle": translate("FiveAxis", "Steepest surface"),
         "avoid": translate("FiveAxis", "Faces to leave alone"),
+        "stl_units": translate("FiveAxis", "Units of STL files"),
         "avoid_allowance": translate("FiveAxis", "Allowance on faces to avoid"),
         "boundary": translate("FiveAxis", "Boundary"),
         "boundary_axis": translate("FiveAxis", "Axis of the boundary I, J, K"),

@@ -3459,6 +3459,10 @@
         <translation>Einheiten</translation>
     </message>
     <message>
+        <source>Units of STL files</source>
+        <translation>Einheit von STL-Dateien</translation>
+    </message>
+    <message>
         <source>Upper limit</source>
         <translation>Obere Grenze</translation>
     </message>
@@ -5896,8 +5900,8 @@
         <translation>Die Unterseite bei Z {height} ist nicht bearbeitet: {area} ({share} % des Werkstücks) zeigen von der Spindel weg. Das Werkstück wenden, um sie zu fräsen.</translation>
     </message>
     <message>
-        <source>The whole part is {size} long, less than the cutter's diameter of {diameter}: its file may be in metres ({metres}) or inches ({inches}). Export the part in mm, or scale it.</source>
-        <translation>Das ganze Werkstück ist {size} lang, weniger als der Durchmesser {diameter} des Fräsers: seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}). Das Werkstück in mm exportieren oder skalieren.</translation>
+        <source>The whole part is {size} long, less than the cutter's diameter of {diameter}: its file may be in metres ({metres}) or inches ({inches}). Export the part in mm, scale it, or name the units of STL files on the command line: {option}.</source>
+        <translation>Das ganze Teil ist {size} lang, weniger als der Durchmesser {diameter} des Fräsers: seine Datei kann in Metern ({metres}) oder Zoll ({inches}) sein. Exportieren Sie das Teil in mm, skalieren Sie es, oder nennen Sie auf der Befehlszeile die Einheit von STL-Dateien: {option}.</translation>
     </message>
     <message>
         <source>The word {letter} in NC line {line} is not interpreted: what it does is missing here. Post without it, or see that it moves nothing and changes no feed.</source>

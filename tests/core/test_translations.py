@@ -12,7 +12,7 @@ from translation_script import ROOT, translations
 
 from freecad_fiveaxis.app.option_texts import TEXTS, text_of
 from freecad_fiveaxis.core.base.sentences import CONTEXT
-from freecad_fiveaxis.core.pipeline.settings import OutputSettings, option_fields
+from freecad_fiveaxis.core.pipeline.settings import FacesSettings, OutputSettings, option_fields
 
 pytestmark = pytest.mark.texts
 
@@ -69,6 +69,10 @@ def test_the_texts_are_those_of_every_floor():
     assert {"FiveAxis", "App::Property", "Workbench", "FiveAxisPreferences"} | commands <= contexts
 
 
+NOT_SHOWN = (FacesSettings, OutputSettings)
+"""Of files; in the window faces are selected, and solids are in mm."""
+
+
 @pytest.mark.parametrize("task", ["mill", "audit"])
 def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
     known, seen, named = (
@@ -77,7 +81,7 @@ def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
         translations.literal_of(translations.PROPERTIES.read_text(encoding="utf-8"), "_NAMED"),
     )
     for cls, leaf in option_fields(task):
-        if cls is not OutputSettings and leaf.metadata["kind"] not in ("path", "paths"):
+        if cls not in NOT_SHOWN and leaf.metadata["kind"] not in ("path", "paths"):
             name = named.get(leaf.name) or "".join(part.capitalize() for part in leaf.name.split("_"))
             shown = (
                 [name]
@@ -177,7 +181,8 @@ NAMING = {"Option": OF_OPTIONS, "Choice": OF_OPTIONS, "Task": ("_tasks",), "choi
 def test_every_option_of_a_panel_is_explained_for_the_window():
     named = {leaf.name: leaf for _, leaf in option_fields()}
     assert set(TEXTS) <= set(named), "an option that is gone"
-    shown = {leaf.name for task in ("mill", "audit", "setup") for _, leaf in option_fields(task)}
+    tasks = ("mill", "audit", "setup")
+    shown = {leaf.name for task in tasks for cls, leaf in option_fields(task) if cls is not FacesSettings}
     files = {name for name, leaf in named.items() if leaf.metadata["kind"] in ("path", "paths")}
     assert shown - files <= set(TEXTS)
     assert all(text[0].isupper() and not text.endswith(".") for text in TEXTS.values())

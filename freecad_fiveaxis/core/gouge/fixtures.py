@@ -40,11 +40,14 @@ class Fixture:
     mesh: Mesh
 
 
-def read_fixtures(paths: tuple[str, ...], progress: Progress = silent) -> tuple[Fixture, ...]:
-    """Read the STL files of the fixtures and put them where ``paths`` say that they stand. Raises
-    FiveAxisError for what says no place, before any is read, and for what is no mesh, naming the file."""
+def read_fixtures(
+    paths: tuple[str, ...], progress: Progress = silent, unit: float = 1.0
+) -> tuple[Fixture, ...]:
+    """Read the STL files of the fixtures, whose coordinates count ``unit`` mm each, and put them where
+    ``paths`` say that they stand. Raises FiveAxisError for what says no place, before any is read, and for
+    what is no mesh, naming the file."""
     files = [parse_fixture(path) for path in paths]
-    return tuple(Fixture(one.name, place_mesh(read_stl(one.path, progress), one)) for one in files)
+    return tuple(Fixture(one.name, place_mesh(read_stl(one.path, progress, unit), one)) for one in files)
 
 
 def join_obstacles(mesh: Mesh, fixtures: Sequence[Fixture]) -> Mesh:

@@ -29,11 +29,11 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.controllers import Dialect
-from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.gouge.faces import facets_on
 from freecad_fiveaxis.core.gouge.fixture_in_part import report_in_part
-from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures, read_fixtures
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above, without_guided
@@ -90,6 +90,7 @@ from .rotary_axis import settle_rotary_axis
 from .safe_start import add_safe_start
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part, name_units
 from .start_plane import find_written_plane
+from .stl_files import read_job_fixtures, read_mesh
 
 
 def run(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None) -> Result:
@@ -115,11 +116,11 @@ def make(
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
     check_bodies(settings, machine)
-    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    fixtures = read_job_fixtures(settings, progress) if fixtures is None else fixtures
     if settings.task in (MILL, POST):
         dialect = _configure_dialect(settings, machine, dialect)
     if settings.task == MILL:
-        mesh = read_stl(settings.source, progress) if mesh is None else mesh
+        mesh = read_mesh(settings, settings.source, progress) if mesh is None else mesh
         given = MillSource(settings, mesh, faces, fixtures)
         context, reports = begin_mill(settings, machine, kinematics, dialect, given, progress)
         if seen is not None:
@@ -221,9 +222,8 @@ def _facets_in(
     settings: Settings, mesh: Mesh, name: str, progress: Progress, machined: bool = True
 ) -> tuple[Bools, tuple[Finding, ...]]:
     """Return the facets on the faces of a file, and how many those are."""
-    return facets_on(
-        mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress, machined
-    )
+    found = read_mesh(settings, name, progress)
+    return facets_on(mesh, found, settings.proof.tolerance, Path(name).name, progress, machined)
 
 
 def _configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
@@ -353,7 +353,7 @@ def _read_reference(settings: Settings, progress: Progress) -> tuple[CLPath | Me
     if settings.task != AUDIT or path is None:
         return None, settings
     if is_part(path):
-        return read_stl(path, progress), settings
+        return read_mesh(settings, path, progress), settings
     with naming_file(path):
         file = read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress)
     return file.path, with_cutter(settings, file.head.cutter)

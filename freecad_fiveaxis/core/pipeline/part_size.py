@@ -8,7 +8,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.sentences import Length, say
+from freecad_fiveaxis.core.base.sentences import Length, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool import Cutter
 
@@ -24,10 +24,12 @@ def unit_suspected(mesh: Mesh, cutter: Cutter) -> tuple[Finding, ...]:
         return ()
     text = say(
         "The whole part is {size} long, less than the cutter's diameter of {diameter}: its file may be in "
-        "metres ({metres}) or inches ({inches}). Export the part in mm, or scale it.",
+        "metres ({metres}) or inches ({inches}). Export the part in mm, scale it, or name the units of STL "
+        "files on the command line: {option}.",
         size=Length(size, ".4g"),
         diameter=Length(cutter.diameter, ".4g"),
         metres=Length(METRE * size, ".4g"),
         inches=Length(INCH * size, ".4g"),
+        option=Option("stl_units"),
     )
     return (report_finding(Code.UNIT_SUSPECTED, text, size, cutter.diameter, unit="mm"),)

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.orientation.axis_field import MARGIN
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
@@ -45,6 +45,7 @@ from .over_table import AUTO, largest_axis_angle
 from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
 from .records import PlannedPasses
 from .settings import FRAMES, Settings
+from .stl_files import read_mesh
 
 SQUARES = 3500.0
 """So many squares of an interval's side the passes may divide what is cut into; about a second of work."""
@@ -99,7 +100,7 @@ def preview_passes(
     FiveAxisError for what cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     find_pass_strategy(settings.passes.passes)
-    mesh = read_stl(settings.source, progress) if mesh is None else mesh
+    mesh = read_mesh(settings, settings.source, progress) if mesh is None else mesh
     mesh, faces, avoided, reports = choose_facets(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress, find_area(settings, mesh, faces, avoided))
     context, one_in = _sparser(context)

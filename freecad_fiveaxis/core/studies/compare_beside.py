@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Choice, say
-from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixture_in_part import check_apart
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.machine_bodies import spindle_body
@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Setup
 from freecad_fiveaxis.core.pipeline.options import choose_rapid_body, tip_to_driven, tool_body
 from freecad_fiveaxis.core.pipeline.settings import Settings, is_part
+from freecad_fiveaxis.core.pipeline.stl_files import read_mesh
 from freecad_fiveaxis.core.tool.body import Body, lower_body
 
 from .compare import Beside, Row
@@ -27,14 +28,14 @@ from .compare.beside_part import find_deepest, rank_entry
 
 
 def read_part_beside(
-    source: str, mesh: Mesh | None, fixtures: Sequence[Fixture], progress: Progress
+    settings: Settings, mesh: Mesh | None, fixtures: Sequence[Fixture], progress: Progress
 ) -> Mesh | None:
     """Return the part, where there is one and fixtures stand beside it: that at hand, else that of the
-    source. Raises FiveAxisError for a fixture in the part."""
+    settings. Raises FiveAxisError for a fixture in the part."""
     if not fixtures:
         return mesh
-    if mesh is None and is_part(source):
-        mesh = read_stl(source, progress)
+    if mesh is None and is_part(settings.source):
+        mesh = read_mesh(settings, settings.source, progress)
     if mesh is not None:
         check_apart(mesh, fixtures)
     return mesh

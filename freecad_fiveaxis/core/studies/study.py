@@ -25,8 +25,8 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
-from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, read_fixtures
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
 from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
@@ -63,6 +63,7 @@ from freecad_fiveaxis.core.pipeline.settings import (
     is_part,
 )
 from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
+from freecad_fiveaxis.core.pipeline.stl_files import read_job_fixtures, read_mesh
 from freecad_fiveaxis.core.tool.stick_out import Stack
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
@@ -147,9 +148,9 @@ def try_reach(
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
-    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
-    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
-    mesh = read_stl(settings.source, progress) if mesh is None else mesh
+    fixtures = read_job_fixtures(settings, progress) if fixtures is None else fixtures
+    mesh = read_part_beside(settings, mesh, fixtures, progress)
+    mesh = read_mesh(settings, settings.source, progress) if mesh is None else mesh
     mesh, faces, avoided, remarks = choose_facets(settings, mesh, faces, progress)
     area = find_area(settings, mesh, faces, avoided)
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
@@ -195,8 +196,8 @@ def try_setups(
     )  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
-    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
-    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
+    fixtures = read_job_fixtures(settings, progress) if fixtures is None else fixtures
+    mesh = read_part_beside(settings, mesh, fixtures, progress)
     program = _post_job(job, progress, mesh, faces, fixtures)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
@@ -228,8 +229,8 @@ def try_machines(
     if not names:
         raise SettingsError(say("there are no machines to compare; name at least one"), names)
     machines = [load_machine(name) for name in names]
-    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
-    mesh = read_part_beside(settings.source, mesh, fixtures, progress)
+    fixtures = read_job_fixtures(settings, progress) if fixtures is None else fixtures
+    mesh = read_part_beside(settings, mesh, fixtures, progress)
     each_settings = [
         suit_tool_axis(_job_settings(settings, name), machine)
         for name, machine in zip(names, machines, strict=True)

@@ -55,16 +55,17 @@ _ASCII_VERTEX = "  vertex %r %r %r\n"  # the shortest digits that give back the 
 _ASCII_FACET = "facet normal %.6f %.6f %.6f\n outer loop\n" + 3 * _ASCII_VERTEX + " endloop\nendfacet\n"
 
 
-def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
-    """Read a binary or ASCII STL file into a welded mesh, mm; facets that ought to hang together are joined
-    where that is safe.
+def read_stl(path: str | os.PathLike[str], progress: Progress = silent, unit: float = 1.0) -> Mesh:
+    """Read a binary or ASCII STL file, whose coordinates count ``unit`` mm each, into a welded mesh, mm;
+    facets that ought to hang together are joined where that is safe.
 
     Raises FileError where the file cannot be read, MeshError where it is empty, cut off, no STL, or holds no
     usable facet (see :func:`~freecad_fiveaxis.core.geometry.mesh.from_triangles`).
     """
     progress("read STL", 0.0)
     try:
-        mesh = join_loose(from_columns(_columns(path, progress)))
+        columns = _columns(path, progress)
+        mesh = join_loose(from_columns(columns if unit == 1.0 else columns * np.float64(unit)))
     except MeshError as problem:
         raise MeshError(
             say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value

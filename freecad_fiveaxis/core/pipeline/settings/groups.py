@@ -127,7 +127,8 @@ class PassSettings:
 
 @dataclass(frozen=True)
 class FacesSettings:
-    """Which faces are machined, and which are not. The workbench selects them instead."""
+    """Which faces are machined and which are not, and how STL files are meant. The workbench selects faces
+    instead, and its solids are in mm."""
 
     faces: str | None = option(
         None,
@@ -140,6 +141,13 @@ class FacesSettings:
         "path",
         "an STL file of faces: the facets of the part that lie on them are not machined [none]",
         (*FROM_SOLID, REACH),
+    )
+    stl_units: Literal["mm", "cm", "m", "inch"] = option(
+        "mm",
+        "choice",
+        "what the coordinates of STL files count (part, faces, fixtures): an STL file does not say it",
+        (MILL, POST, AUDIT, SETUP, COMPARE, REACH),
+        choices=("mm", "cm", "m", "inch"),
     )
 
 
