@@ -8,7 +8,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.pipeline.options import dialect_for
+from freecad_fiveaxis.core.pipeline.options import dialect_for, take_units
 
 from .properties import MACHINES_OWN
 
@@ -37,7 +37,13 @@ def suffix_of_path(obj: Any) -> str:
 
 
 def metric_of_path(obj: Any) -> str:
-    """Return the word of a Toolpath's NC file that says millimetres; the usual one where its controller is
-    not known."""
+    """Return the word of a Toolpath's NC file that says millimetres, "" where the file is in inches; the
+    usual one where its controller is not known."""
     dialect = dialect_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
-    return dialect.metric if dialect else Dialect.metric
+    if dialect is None:
+        return Dialect.metric
+    try:
+        dialect = take_units(obj.ProgramUnits, load_machine(obj.Machine), dialect)
+    except FiveAxisError:
+        return dialect.metric  # and no program is written
+    return dialect.metric if dialect.unit == 1.0 else ""

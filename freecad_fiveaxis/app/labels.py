@@ -151,6 +151,7 @@ def _of_programs() -> dict[str, str]:
         "blend": translate("FiveAxis", "Corner rounding"),
         "rtcp": translate("FiveAxis", "Tip guided (RTCP)"),
         "high_speed": translate("FiveAxis", "High-speed mode"),
+        "nc_units": translate("FiveAxis", "Units of the program"),
         "machine": translate("FiveAxis", "Machine"),
         "controller": translate("FiveAxis", "Controller"),
         "origin": translate("FiveAxis", "Work zero on the machine"),

@@ -143,6 +143,10 @@ TEXTS = {
         "Tool centre point control (RTCP, TCPM, TRAORI): the controller guides the tip itself; off: the "
         "program gives the positions of all axes",
     ),
+    "nc_units": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Units of lengths and feeds in the NC file; machine: as the machine file says, else mm",
+    ),
     "high_speed": QT_TRANSLATE_NOOP(
         "App::Property", "High-speed mode of the controller, with the tolerance given as corner rounding"
     ),

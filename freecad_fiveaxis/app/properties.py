@@ -167,7 +167,9 @@ _PER_MINUTE = {
 """What the editor says of a feed in mm/min."""
 
 
-_NAMED = {"passes": "PassStrategy", "from_": "PassesFrom", "to": "PassesTo", "rest": "Left"}
+_NAMED = {
+    "passes": "PassStrategy", "from_": "PassesFrom", "to": "PassesTo", "rest": "Left", "nc_units": "ProgramUnits",
+}  # fmt: skip
 """Options whose own name is that of a result, or Python's, or came after the property: saved documents have
 it for good."""
 

@@ -932,6 +932,10 @@
         <translation>Programm</translation>
     </message>
     <message>
+        <source>Program Units</source>
+        <translation>Programmeinheit</translation>
+    </message>
+    <message>
         <source>Proven</source>
         <translation>Bewiesen</translation>
     </message>
@@ -1474,6 +1478,10 @@
     <message>
         <source>Units of a program that does not say them itself</source>
         <translation>Einheiten eines Programms, das sie nicht selbst nennt</translation>
+    </message>
+    <message>
+        <source>Units of lengths and feeds in the NC file; machine: as the machine file says, else mm</source>
+        <translation>Einheit der Längen und Vorschübe in der NC-Datei; „die der Maschine“: wie es in der Maschinendatei steht, sonst mm</translation>
     </message>
     <message>
         <source>Up To Date</source>
@@ -3461,6 +3469,10 @@
     <message>
         <source>Units of STL files</source>
         <translation>Einheit von STL-Dateien</translation>
+    </message>
+    <message>
+        <source>Units of the program</source>
+        <translation>Einheit des Programms</translation>
     </message>
     <message>
         <source>Upper limit</source>
@@ -8130,6 +8142,10 @@
     <message>
         <source>program number is {program}; give 1 to 9999</source>
         <translation>die Programmnummer ist {program}; 1 bis 9999 angeben</translation>
+    </message>
+    <message>
+        <source>programs for {name} are in mm, also on a control that shows inches; leave {option} out</source>
+        <translation>Programme für {name} sind in mm, auch auf einer Steuerung, die Zoll anzeigt; lassen Sie {option} weg</translation>
     </message>
     <message>
         <source>radius {radii} is not above 0, or beyond {most} mm</source>

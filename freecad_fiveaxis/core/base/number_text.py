@@ -106,13 +106,15 @@ def _tell(progress: Progress, first: int, stop: int, rows: int, done: float) -> 
     progress("writing text", (first + done * (stop - first)) / rows)
 
 
-def round_as_printed(values: Floats, decimals: int) -> Floats:
-    """Return the doubles nearest to ``values`` as printed with ``decimals``; -0 becomes 0, so that no text
-    reads "-0.0000"."""
+def round_as_printed(values: Floats, decimals: int, unit: float = 1.0) -> Floats:
+    """Return the doubles nearest to ``values`` as printed with ``decimals`` in units of ``unit`` each; -0
+    becomes 0, so that no text reads "-0.0000"."""
     scale = 10.0**decimals
-    result: Floats = values * scale
+    result: Floats = values * (scale / unit)
     np.rint(result, out=result)
     result /= scale
+    if unit != 1.0:
+        result *= unit
     result += 0.0
     return result
 

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from freecad_fiveaxis.core.base.records import Floats
 
 ANGLES, VECTORS = "angles", "vectors"
+INCH = 25.4
+"""mm."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +77,11 @@ class Dialect:
     controller takes a rotary word of 0 to 360 by the shorter way, where the machine file says ``modulo``;
     ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before
     and after the number. ``high_speed``: lines that switch the high-speed mode on and off, empty where there
-    is none. ``metric``, ``absolute``: the words of the head for mm and for absolute words.
+    is none. ``metric``, ``absolute``: the words of the head for mm and for absolute words; ``inch``: for
+    inches, "" where such programs are not written, and ``inch_decimals`` of their linear words. ``unit``: the
+    mm that linear words and F count. In inches a degree counts in F, where it is measured over all axes, as
+    much as ``inch_degree`` mm (Fanuc: as an inch), and F of rotary axes alone is in inches too where
+    ``inch_turns`` (grbl), else in degrees.
     ``machine_retract``: the lines that drive Z to the machine coordinate ``{z}``; ``reference_return``: those
     that drive it to its reference point (:mod:`~freecad_fiveaxis.core.nc.start`). ``speed_call``: the line
     that sets the speed where no tool is called, if it is not the spindle's. ``suffix``: how the names of its
@@ -101,6 +107,11 @@ class Dialect:
     inverse_time: str = "G93"
     per_minute: str = "G94"
     metric: str = "G21"
+    inch: str = "G20"
+    inch_decimals: int = 5
+    inch_degree: float = 1.0
+    inch_turns: bool = False
+    unit: float = 1.0
     absolute: str = "G90"
     linear_decimals: int = 4
     rotary_decimals: int = 4
@@ -151,6 +162,42 @@ class Dialect:
     def decimals(self, column: int) -> int:
         """Decimals of word ``column`` (0 to 2 linear, 3 and 4 rotary)."""
         return self.linear_decimals if column < 3 else self.rotary_decimals
+
+    def round_word(self, values: Floats, column: int) -> Floats:
+        """Return the words nearest to ``values`` of ``column``, mm or degrees, that the controller can be
+        given."""
+        from freecad_fiveaxis.core.base.number_text import round_as_printed
+
+        return round_as_printed(values, self.decimals(column), self.unit if column < 3 else 1.0)
+
+    def in_inches(self) -> Dialect:
+        """Return the same controller with programs in inches. Raises SettingsError where none are written for
+        it."""
+        if not self.inch:
+            raise SettingsError(
+                say(
+                    "programs for {name} are in mm, also on a control that shows inches; leave {option} out",
+                    name=self.name,
+                    option=Option("nc_units"),
+                ),
+                self.name,
+            )
+        head, tail, guided_head, guided_tail = (
+            tuple(re.sub(rf"\b{self.metric}\b", self.inch, line) for line in lines)
+            for lines in (self.head, self.tail, self.guided_head, self.guided_tail)
+        )
+        return replace(
+            self, head=head, tail=tail, guided_head=guided_head, guided_tail=guided_tail, metric=self.inch,
+            linear_decimals=self.inch_decimals, unit=INCH, largest_feed=self.largest_feed / INCH,
+        )  # fmt: skip
+
+    def find_feed_units(self, change: Floats) -> Floats:
+        """Return the mm (n,) that F counts in blocks that change the words by ``change`` (n, 5), 1.0 where it
+        counts degrees."""
+        import numpy as np
+
+        turns_alone = ~change[:, :3].any(axis=1) & (not self.inch_turns)
+        return np.where(turns_alone, 1.0, self.unit)
 
     def guide_by(self, how: str) -> Dialect:
         """Return the same controller with the tip guided by it, ``how`` one of the names of ``guides``.
@@ -244,5 +291,8 @@ def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:
     for k in (1, 2):
         square += change[:, k] * change[:, k]
     rows = slice(None) if dialect is not None and dialect.rotary_in_feed else np.flatnonzero(square == 0.0)
-    square[rows] += (change[rows, 3:] ** 2).sum(axis=1)
+    turn = (change[rows, 3:] ** 2).sum(axis=1)
+    if dialect is not None and dialect.unit != 1.0:
+        turn *= np.where(square[rows] > 0.0, dialect.inch_degree**2, 1.0)
+    square[rows] += turn
     return np.sqrt(square, out=square)

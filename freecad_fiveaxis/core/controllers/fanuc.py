@@ -59,6 +59,8 @@ an omitted one counts as 0; the rotary axes take the shorter way. G05.1 Q1 is AI
         ),
     },
     feed_decimals=3,
+    inch_decimals=4,
+    inch_degree=25.4,
     rapids=UNKNOWN,
     inverse_decimals=3,
     largest_feed=99_999.0,

@@ -33,6 +33,7 @@ rotary words below some thousand degrees.""",  # noqa: E501
     ),
     tail=("M5", "M9", "G94", "M30"),
     feed_decimals=3,
+    inch_turns=True,
     rapids=INTERPOLATED,
     inverse_decimals=3,
     rotary_in_feed=True,

@@ -52,6 +52,7 @@ offsets are G154 P1 to P99. G187 sets smoothness (P1 rough, P2 medium, P3 finish
     guided_tail=("{guide}", "M5", "M9", "G94", "M30", "%"),
     guides={ANGLES: Guide(on=("G234 H{number}",), off=("G49",), needs_tool=True)},
     linear_decimals=4,
+    inch_decimals=4,
     rapids=INDEPENDENT,
     rotary_decimals=3,
     feed_decimals=3,

@@ -31,6 +31,7 @@ to finish, TA of rotary axes.""",  # noqa: E501
     language="heidenhain",
     suffix=".h",
     metric="MM",
+    inch="",
     absolute="BEGIN",
     head=(
         "BEGIN PGM {program} MM",

@@ -31,6 +31,7 @@ machine axis Z1 to its first fixed point.""",  # noqa: E501
     language="siemens",
     suffix=".mpf",
     metric="G710",
+    inch="G700",
     head=(
         "{title}",
         "G710 G17 G40 G90",

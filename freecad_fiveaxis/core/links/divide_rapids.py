@@ -22,7 +22,6 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Insertion, Ints
 from freecad_fiveaxis.core.base.sentences import say
@@ -70,7 +69,7 @@ class RapidWays:
         """Give the words (n, 5) of the joints, mm and **degrees**, as the controller gets them at shares (n,)
         of rapids (n,)."""
         words = self.start[rapid] + share[:, None] * self.step[rapid]
-        printed = np.column_stack([round_as_printed(words[:, k], self.dialect.decimals(k)) for k in range(5)])
+        printed = np.column_stack([self.dialect.round_word(words[:, k], k) for k in range(5)])
         return self._joints(printed) if self.guided else printed
 
     def _joints(self, words: Floats) -> Floats:

@@ -18,8 +18,10 @@ fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and
           :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
 older     files from before the editor's release have keys of their own (:mod:`.older_layout`).
 
-What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it
-uses must be there and make sense: a guess about a machine is worse than a question.
+output    ``output.units``: whether NC programs are in mm or inches.
+
+What the program does not use (tool heads, other output, post-processor, base frame) is not read.
+Every key that it uses must be there and make sense: a guess about a machine is worse than a question.
 """
 
 from __future__ import annotations
@@ -95,8 +97,15 @@ def read_machine(data: Any) -> Machine:
     order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
     description = get_text(machine, "machine.", "description") if "description" in machine else ""
     return Machine(
-        name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit)
-    )
+        name, tuple(found[letter] for letter in order), description=description,
+        output_inch=_writes_inches(data), **_extra(data, unit),
+    )  # fmt: skip
+
+
+def _writes_inches(data: JsonObject) -> bool:
+    """Whether the machine's NC programs are in inches (``output.units``)."""
+    output = get_object(data, "", "output") if "output" in data else {}
+    return "units" in output and UNITS[get_choice(output, "output.", "units", UNITS)] == INCH
 
 
 def _check_whole(axes: JsonObject) -> None:
@@ -309,7 +318,7 @@ def write_objects(machine: Machine) -> dict[str, Any]:
             },
             "toolheads": [{"id": "toolhead1", "name": "Spindle", "toolhead_type": "rotary"}],
         },
-        "output": {"units": "metric"},
+        "output": {"units": "imperial" if machine.output_inch else "metric"},
         "postprocessor": {"file_name": machine.controller or "linuxcnc", "properties": {}},
         "processing": {"tool_change": True},
         "version": VERSION,

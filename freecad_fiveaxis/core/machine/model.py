@@ -166,7 +166,7 @@ class Machine:
     face in the machine frame, all joints zero; None where it is not known. ``no_motion``: its control's
     functions that move nothing (:mod:`.no_motion`). ``bodies``: what the tool must not hit, and what carries
     it. Raises MachineError for axes that do not make a machine of three to five axes, and for such a function
-    that moves.
+    that moves. ``output_inch``: its programs are in inches unless the settings say otherwise.
     """
 
     name: str
@@ -181,6 +181,7 @@ class Machine:
     rapids: str = ""
     no_motion: tuple[str, ...] = ()
     bodies: tuple[MachineBody, ...] = ()
+    output_inch: bool = False
     letters: str = field(init=False)
 
     def __post_init__(self) -> None:

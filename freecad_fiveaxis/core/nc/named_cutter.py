@@ -18,7 +18,7 @@ _COMMENT = re.compile(
     rb"^(?:N?\d+ +)?[(;] *(?:T\d+ )?(?P<kind>(?:TAPER )?(?:BALL|BULL)|FLAT|LOLLIPOP|BARREL) "
     rb"(?P<diameter>[\d.]+) MM"
     rb"(?:, CORNER (?P<corner>[\d.]+) MM)?(?:, NECK (?P<neck>[\d.]+) MM)?(?:, FLANK (?P<flank>[\d.]+) MM)?"
-    rb"(?:, (?P<taper>[\d.]+) DEG)?(?:, L [-\d.]+)?\)?[ \t\r]*$",
+    rb"(?:, (?P<taper>[\d.]+) DEG)?(?:, L [-\d.]+(?: IN)?)?\)?[ \t\r]*$",
     re.MULTILINE,
 )
 

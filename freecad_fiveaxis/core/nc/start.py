@@ -72,7 +72,7 @@ def _retract(dialect: Dialect, start: SafeStart) -> tuple[str, ...]:
     if start.retract == BY_REFERENCE:
         return dialect.reference_return
     if start.z is not None:
-        z = _number(start.z, dialect.linear_decimals, dialect.plus)
+        z = _length(start.z, dialect)
         return tuple(line.format(z=z) for line in dialect.machine_retract)
     return (_rapid(dialect, "height"),)
 
@@ -128,7 +128,7 @@ def start_words(program: Program, dialect: Dialect, height: float) -> dict[str, 
         key=lambda column: dialect.order.index(program.letters[column]),
     )
     return {
-        "height": "Z" + _number(height, dialect.linear_decimals, dialect.plus),
+        "height": "Z" + _length(height, dialect),
         "rotaries": " ".join(_rotary(program, dialect, column, float(first[column])) for column in order),
         "over": _level(dialect, float(first[0]), float(first[1])),
         "over_tip": _level(dialect, float(tip[0]), float(tip[1])),
@@ -136,8 +136,7 @@ def start_words(program: Program, dialect: Dialect, height: float) -> dict[str, 
 
 
 def _level(dialect: Dialect, x: float, y: float) -> str:
-    x_text, y_text = (_number(value, dialect.linear_decimals, dialect.plus) for value in (x, y))
-    return f"X{x_text} Y{y_text}"
+    return f"X{_length(x, dialect)} Y{_length(y, dialect)}"
 
 
 def _rotary(program: Program, dialect: Dialect, column: int, value: float) -> str:
@@ -145,6 +144,10 @@ def _rotary(program: Program, dialect: Dialect, column: int, value: float) -> st
     before, after = dialect.shorter_word if fold else ("", "")
     number = _number(value % 360.0 if fold else value, dialect.rotary_decimals, dialect.plus)
     return f"{program.letters[column]}{before}{number}{after}"
+
+
+def _length(value: float, dialect: Dialect) -> str:
+    return _number(value / dialect.unit, dialect.linear_decimals, dialect.plus)
 
 
 def _number(value: float, decimals: int, plus: bool) -> str:

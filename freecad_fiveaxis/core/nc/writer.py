@@ -61,11 +61,22 @@ def write_nc(
 
 
 def _block(program: Program, dialect: Dialect) -> list[Part]:
-    feeding = program.motion != Motion.RAPID
+    feeding, program = program.motion != Motion.RAPID, _in_units(program, dialect)
     motion = Choice(feeding.view(np.int8), (dialect.rapid.encode(), dialect.straight.encode()))
     start = [*_number(program, dialect), *_mode(program, dialect), motion]
     end = [Choice(feeding.view(np.int8), (dialect.rapid_end.encode(), b""))] if dialect.rapid_end else []
     return [*start, *_axes(program, dialect), *_feed(program, dialect, feeding), *end]
+
+
+def _in_units(program: Program, dialect: Dialect) -> Program:
+    """Return the program with F as the dialect counts it: inches a minute, but degrees where rotary axes move
+    alone."""
+    if dialect.unit == 1.0:
+        return program
+    linear = program.words[:, :3] if program.guided is None else program.guided.tip
+    change = np.diff(np.column_stack([linear, program.words[:, 3:]]), axis=0, prepend=np.zeros((1, 5)))
+    unit = np.where(program.inverse_time, 1.0, dialect.find_feed_units(change))
+    return replace(program, feed=program.feed / unit)
 
 
 def _number(program: Program, dialect: Dialect) -> list[Part]:
@@ -136,7 +147,9 @@ def _address_words(program: Program, dialect: Dialect) -> list[_AddressWord]:
 def _axis_word(program: Program, column: int, linear: Floats, dialect: Dialect) -> _AddressWord:
     letter = " " + program.letters[column]
     if column < 3:
-        return _AddressWord(letter, linear[:, column], dialect.linear_decimals)
+        values = linear[:, column]
+        in_its_unit = values if dialect.unit == 1.0 else values / dialect.unit
+        return _AddressWord(letter, in_its_unit, dialect.linear_decimals)
     fold = program.wrap[column - 3] == "modulo"
     before, after = dialect.shorter_word if fold else ("", "")
     return _AddressWord(letter + before, program.words[:, column], dialect.rotary_decimals, after, fold)

@@ -325,8 +325,10 @@ def surface_deviation(draft: ProgramDraft, above: float, progress: Progress = si
     program = draft.program
     if above == 0.0 or program.guided is not None:
         return None
-    decimals, method = draft.dialect.linear_decimals, draft.settings.proof.method
-    return measure_above(draft.kinematics, program.words, above, decimals, method, progress)
+    dialect, method = draft.dialect, draft.settings.proof.method
+    return measure_above(
+        draft.kinematics, program.words, above, dialect.linear_decimals, method, progress, dialect.unit
+    )
 
 
 def _audit_draft(

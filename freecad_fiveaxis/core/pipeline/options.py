@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.toolpath.apt import ARC_SHARE, ClHead, ClReading
 from .context import MillContext
 from .fewer_axes import refuse_what_needs_more_axes
 from .over_table import largest_axis_angle, table_below
-from .settings import MILL, Settings
+from .settings import COMPARE, MILL, POST, SETUP, Settings
 from .settings.groups import AS_MACHINE
 from .settings.tree import STEEP
 
@@ -42,6 +42,10 @@ DEFAULT_SCALLOP = 0.01
 
 UPRIGHT = (0.0, 0.0, 1.0)
 """The axis of passes where none is asked for, and none belongs to the machine."""
+
+
+WRITTEN = (MILL, POST, SETUP, COMPARE)
+"""Tasks that write a program, or judge one that would be written; others read them."""
 
 
 def machine_of(settings: Settings) -> tuple[Machine, Chain, Dialect]:
@@ -90,6 +94,8 @@ def resolve_setup(settings: Settings, machine: Machine) -> tuple[Machine, Setup,
     without a head's tool length."""
     given = settings.machine
     dialect = dialect_for(given.controller, machine)
+    if settings.task in WRITTEN:
+        dialect = take_units(settings.head.nc_units, machine, dialect)
     if given.tool_length is None and machine.has_head:
         raise SettingsError(
             say(
@@ -103,6 +109,14 @@ def resolve_setup(settings: Settings, machine: Machine) -> tuple[Machine, Setup,
     if given.control_point == "centre":
         length -= settings.cutter.cutter.corner
     return machine, Setup(machine.origin if given.origin is None else given.origin, length), dialect
+
+
+def take_units(wanted: str, machine: Machine, dialect: Dialect) -> Dialect:
+    """Return the dialect in the units that are ``wanted``; as the machine file says where that is left to it,
+    and the controller has both. Raises SettingsError."""
+    if wanted == AS_MACHINE:
+        return dialect.in_inches() if machine.output_inch and dialect.inch else dialect
+    return dialect.in_inches() if wanted == "inch" else dialect
 
 
 def read_scallop(settings: Settings) -> float | None:

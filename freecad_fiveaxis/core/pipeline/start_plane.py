@@ -12,7 +12,6 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.ranges import ROUNDING
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, join_sentences, say
 from freecad_fiveaxis.core.controllers import Dialect
@@ -71,7 +70,7 @@ def find_written_plane(machine: Machine, dialect: Dialect, plane: StartPlane) ->
     """Return the word of Z, mm, that the NC file says of the plane, None where it retracts otherwise."""
     if machine.safe_start.retract != BY_CLEARANCE or plane.z is None:
         return None
-    return float(round_as_printed(np.array([plane.z]), dialect.linear_decimals)[0])
+    return float(dialect.round_word(np.array([plane.z]), 2)[0])
 
 
 def _beyond_limit(kinematics: Chain, z: float) -> tuple[Finding, ...]:

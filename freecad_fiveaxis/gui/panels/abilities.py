@@ -40,7 +40,7 @@ def unknown_choices(dialect: Any) -> dict[str, set[str]]:
     """Return the choices of each option that a controller does not know."""
     from freecad_fiveaxis.core.pipeline.settings import RTCP
 
-    return {"rtcp": set(RTCP) - {"off", *dialect.guides}}
+    return {"rtcp": set(RTCP) - {"off", *dialect.guides}, "nc_units": set() if dialect.inch else {"inch"}}
 
 
 def check_guide(dialect: Any, options: Mapping[str, Any]) -> None:

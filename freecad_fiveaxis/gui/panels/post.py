@@ -245,15 +245,16 @@ class PostPanel:
 
 
 def _units_row(path: Any) -> list[Any]:
-    """Where the user works in inches: that the program does not. The core writes millimetres only."""
+    """Where the user works in inches: that the program does not."""
     from freecad_fiveaxis.app.controllers import metric_of_path
     from freecad_fiveaxis.app.units import inches
 
-    if not inches():
+    word = metric_of_path(path)
+    if not (inches() and word):
         return []
     text = translate("FiveAxis", "The program is in millimetres ({word}), whatever this document shows.")
     note = note_line("post_units")
-    note.setText(text.format(word=metric_of_path(path)))
+    note.setText(text.format(word=word))
     note.setVisible(True)
     return [note]
 

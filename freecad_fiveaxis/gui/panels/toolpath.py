@@ -363,7 +363,7 @@ SECTIONS = {
         "clearance",
         "rest",
     ),
-    "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),
+    "Output": ("rtcp", "high_speed", "feed_mode", "nc_units", "blend", "work_offset", "coolant"),
 }
 """The fields of each group; what is not here stands under More settings."""
 IN_TITLE = {

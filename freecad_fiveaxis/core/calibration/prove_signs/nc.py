@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.controllers.dialect import feed_distance
 from freecad_fiveaxis.core.machine.kinematics import q_to_words
@@ -28,7 +27,7 @@ def proof_program(plan: Plan, dialect: Dialect) -> Program:
     """Return the blocks, one for each pose of the plan: G94, no axis faster than the wished feed (mm/min and
     deg/min). ``line``: where each stands in the text of :func:`proof_nc`."""
     poses = np.asarray(q_to_words(plan.poses))
-    words = np.stack([round_as_printed(poses[:, k], dialect.decimals(k)) for k in range(5)], axis=1)
+    words = np.stack([dialect.round_word(poses[:, k], k) for k in range(5)], axis=1)
     change = np.diff(words, axis=0, prepend=words[:1])
     minutes = np.maximum(np.abs(change).max(axis=1) / plan.wishes.feed, 1e-6)
     feed = np.maximum(np.floor(feed_distance(dialect, change) / minutes + 1e-6), 1.0)

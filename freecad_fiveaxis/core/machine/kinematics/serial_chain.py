@@ -125,11 +125,11 @@ def raise_chain(kinematics: Chain, lift: Floats) -> Chain:
     )
 
 
-def lift_of(kinematics: Chain, height: float, decimals: int) -> Floats:
+def lift_of(kinematics: Chain, height: float, decimals: int, unit: float = 1.0) -> Floats:
     """Return the linear words (3,) mm that move the tool ``height`` mm along its axis where both rotary words
-    are zero, rounded to ``decimals``: added to rounded words they give rounded words."""
+    are zero, rounded to ``decimals`` in ``unit`` mm: added to rounded words they give rounded words."""
     return round_as_printed(
-        np.asarray(np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, height)), float), decimals
+        np.asarray(np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, height)), float), decimals, unit
     )
 
 

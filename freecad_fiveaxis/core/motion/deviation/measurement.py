@@ -138,16 +138,17 @@ def measure_above(
     decimals: int,
     method: str = "exact",
     progress: Progress = silent,
+    unit: float = 1.0,
 ) -> Deviation:
     """Measure the same of the point ``above`` mm over the driven one along the tool axis, against its own
     chords.
 
-    ``decimals`` of the linear words: the point is that nearest one whose words are rounded when ``words``
-    are. ``place`` (m, 3) mm is where the driven point stands when that one deviates most. Raises as
-    :func:`measure`.
+    ``decimals`` of the linear words, in ``unit`` mm: the point is that nearest one whose words are rounded
+    when ``words`` are. ``place`` (m, 3) mm is where the driven point stands when that one deviates most.
+    Raises as :func:`measure`.
     """
     rows = check_words(words)
-    lift = lift_of(kinematics, above, decimals)
+    lift = lift_of(kinematics, above, decimals, unit)
     x, y, z = lift.tolist()
     found = measure(raise_chain(kinematics, lift), rows + np.append(lift, (0.0, 0.0)), method, progress)
     before = np.concatenate([rows[:1], rows[:-1]])

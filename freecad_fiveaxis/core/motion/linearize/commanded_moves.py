@@ -48,10 +48,11 @@ TURN = 2.0 * math.pi
 
 @dataclass(frozen=True)
 class Steps:
-    """Decimals of linear words (mm) and of rotary words (degrees)."""
+    """Decimals of linear words, in units of ``unit`` mm, and of rotary words (degrees)."""
 
     linear: int
     rotary: int
+    unit: float = 1.0
 
 
 def most_off(kinematics: Chain, steps: Steps) -> float:
@@ -62,7 +63,7 @@ def most_off(kinematics: Chain, steps: Steps) -> float:
     """
     skew = kinematics.direction[:3] @ kinematics.direction[:3].T - np.eye(3)
     square = len(set(kinematics.slot)) == 1 and np.abs(skew).max() < SQUARE
-    return 0.5 * (math.sqrt(3.0) if square else 3.0) * float(10.0**-steps.linear)
+    return 0.5 * (math.sqrt(3.0) if square else 3.0) * steps.unit * float(10.0**-steps.linear)
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +96,7 @@ def place_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) ->
     """
     degrees = round_as_printed(np.degrees(angles), steps.rotary)
     linear = joint_words(kinematics, tip, np.deg2rad(degrees))[:, :3]
-    return np.concatenate([round_as_printed(linear, steps.linear), degrees], axis=1)
+    return np.concatenate([round_as_printed(linear, steps.linear, steps.unit), degrees], axis=1)
 
 
 def compute_commanded_moves(

@@ -86,7 +86,7 @@ def linearize(
     be held; the path's own keep their blocks. Raises SettingsError for a tolerance that is no number above 0.
     """
     _check(tolerance)
-    steps = Steps(dialect.linear_decimals, dialect.rotary_decimals)
+    steps = Steps(dialect.linear_decimals, dialect.rotary_decimals, dialect.unit)
     feeds = joints.path.motion != Motion.RAPID
     rows = np.flatnonzero((feeds if wanted is None else feeds & wanted)[1:]) + 1
     way = _divide_above(joints, kinematics, above, rows, tolerance, steps, progress)

@@ -168,9 +168,7 @@ def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Fl
     """As _round_words, of the words that a guided block says: the tip (mm) and the rotary words (deg), which
     are only rounded where they are said. A row moves where tip, or what is said of the axis, changes."""
     rotary = 15 if guide.vector else dialect.rotary_decimals
-    programmed = np.column_stack(
-        [round_as_printed(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])]
-    )
+    programmed = np.column_stack([dialect.round_word(joints.path.tip, 0), np.degrees(joints.q[:, 3:])])
     if guide.vector is None:
         programmed[:, 3:] = round_as_printed(programmed[:, 3:], rotary)
     written = (
@@ -208,9 +206,7 @@ def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
 
     def fill(rows: slice) -> None:
         for k in range(5):
-            words[rows, k] = round_as_printed(
-                q[rows, k] if k < 3 else np.degrees(q[rows, k]), dialect.decimals(k)
-            )
+            words[rows, k] = dialect.round_word(q[rows, k] if k < 3 else np.degrees(q[rows, k]), k)
 
     def compare(rows: slice) -> None:
         since = slice(max(rows.start, 1), rows.stop)
@@ -267,6 +263,12 @@ class _FeedScale:
         1, or what F is measured over, mm (deg)."""
         return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
 
+    def units(self, change: Floats) -> Floats | float:
+        """Return the mm (n,) that F counts in these blocks, 1.0 where it counts degrees or is 1/min."""
+        if self.inverse_time or self.dialect.unit == 1.0:
+            return 1.0
+        return self.dialect.find_feed_units(change)
+
     def round_down(self, commanded: Floats) -> Floats:
         """F at most ``commanded`` and at most the controller's largest, but at least one step."""
         step = 10.0**-self.decimals
@@ -313,17 +315,17 @@ def _time_blocks(
             np.ones(rows.stop - rows.start, np.bool_),
         )
         wanted[rapid], along[rapid] = 1.0, False
-        distance = scale.distance(change)
+        distance, unit = scale.distance(change), scale.units(change)
         travel = np.linalg.norm(change[:, :3], axis=1) if guided else tip_travel(kinematics, q, along)
         if guided:
             change = np.diff(q, axis=0)
         else:
             change[:, 3:] *= np.pi / 180.0
         minutes, held = feed_minutes(kinematics, change, travel, wanted)
-        commanded = distance / minutes
+        commanded = distance / (minutes * unit)
         commanded[rapid] = 0.0
         held[rapid] = False
-        feed = scale.round_down(commanded)
+        feed = scale.round_down(commanded) * unit
         seconds = 60.0 * distance / feed
         seconds[rapid] = 60.0 * rapid_minutes(kinematics, change[rapid])
         feed[rapid] = 0.0
@@ -369,6 +371,7 @@ BELOW = Template("In {count} blocks F would be below one step; they run faster t
 def _feed_findings(times: _Times, scale: _FeedScale) -> tuple[Finding, ...]:
     commanded, held = times.commanded, times.held
     unit, step = "1/min" if scale.inverse_time else "mm/min", 10.0**-scale.decimals
+    per_feed = 1.0 if scale.inverse_time else scale.dialect.unit
     below = np.flatnonzero(commanded < step / (1.0 + FEED_SLACK))
     below = below[commanded[below] > 0.0]  # not those of rapids
     cases = (
@@ -376,9 +379,9 @@ def _feed_findings(times: _Times, scale: _FeedScale) -> tuple[Finding, ...]:
          HELD, float(held.sum()), 0.0, "1"),
         (np.flatnonzero(commanded > scale.largest), Code.FEED_ABOVE_LARGEST,
          ABOVE,
-         float(commanded.max(initial=0.0)), scale.largest, unit),
+         per_feed * float(commanded.max(initial=0.0)), per_feed * scale.largest, unit),
         (below, Code.FEED_BELOW_STEP, BELOW,
-         float(commanded[below].min(initial=step)), step, unit),
+         per_feed * float(commanded[below].min(initial=step)), per_feed * step, unit),
     )  # fmt: skip
     found = []
     for blocks, code, text, value, limit, unit_of in cases:

@@ -276,6 +276,10 @@ RTCP = ("off", "angles", "vectors")
 """Joint output, or the tip guided by the controller: as the dialects' guides are called."""
 
 
+AS_MACHINE = "machine"
+"""The choice that leaves it to the machine file."""
+
+
 @dataclass(frozen=True)
 class HeadSettings:
     """What the head of the NC file says."""
@@ -316,6 +320,13 @@ class HeadSettings:
         (MILL, POST),
         choices=("on", "off"),
     )
+    nc_units: Literal["machine", "mm", "inch"] = option(
+        AS_MACHINE,
+        "choice",
+        "lengths and feeds of the NC file; machine: as the machine file says (output.units), else mm",
+        (MILL, POST),
+        choices=(AS_MACHINE, "mm", "inch"),
+    )
     blend: float = option(
         0.0,
         "length",
@@ -324,10 +335,6 @@ class HeadSettings:
         least=0,
         most=999,
     )
-
-
-AS_MACHINE = "machine"
-"""The choice that leaves it to the machine file."""
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,6 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.number_text import round_as_printed
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
@@ -274,10 +273,10 @@ def _look_beside(where: Station, program: Program, progress: Progress) -> tuple[
 
 def _measure_surface(where: Station, program: Program) -> Deviation:
     """Return the deviation of what makes the surface: a ball's centre, else the tip."""
-    above, decimals = where.posting.above, where.posting.dialect.linear_decimals
+    above, dialect = where.posting.above, where.posting.dialect
     if above == 0.0:
         return measure(where.kinematics, program.words)
-    return measure_above(where.kinematics, program.words, above, decimals)
+    return measure_above(where.kinematics, program.words, above, dialect.linear_decimals, unit=dialect.unit)
 
 
 def _make_unguided_row(
@@ -301,7 +300,7 @@ def _make_guided_row(
     where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation, progress: Progress
 ) -> Row:
     feeds, row, dialect = feed_blocks(program), program.row, where.posting.dialect
-    tip = np.stack([round_as_printed(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
+    tip = np.stack([dialect.round_word(joints.path.tip[row, k], k) for k in range(3)], axis=1)
     guided = guide(
         where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row]
     )

@@ -113,7 +113,8 @@ class Driven:
         surface, whose deviation counts."""
         if self.posting.above == 0.0:
             return kinematics, words
-        lift = lift_of(kinematics, self.posting.above, self.posting.dialect.linear_decimals)
+        dialect = self.posting.dialect
+        lift = lift_of(kinematics, self.posting.above, dialect.linear_decimals, dialect.unit)
         return raise_chain(kinematics, lift), words + np.append(lift, (0.0, 0.0))
 
     @property
