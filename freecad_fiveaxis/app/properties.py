@@ -168,8 +168,12 @@ _PER_MINUTE = {
 
 
 _NAMED = {
-    "passes": "PassStrategy", "from_": "PassesFrom", "to": "PassesTo", "rest": "Left", "nc_units": "ProgramUnits",
-}  # fmt: skip
+    "passes": "PassStrategy",
+    "from_": "PassesFrom",
+    "to": "PassesTo",
+    "rest": "Left",
+    "nc_units": "ProgramUnits",
+}
 """Options whose own name is that of a result, or Python's, or came after the property: saved documents have
 it for good."""
 

@@ -5,7 +5,7 @@ import pytest
 from conftest import FAST
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import results
+from freecad_fiveaxis.app import controllers, results
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.controllers import DIALECTS
 
@@ -52,6 +52,7 @@ def test_what_a_controller_lacks_is_stated(doc, ball):
         ({"controller": "haas", "rtcp": "vectors", "tool": 1}, "no RTCP by vectors"),
         ({"controller": "fanuc", "rtcp": "angles"}, "give --tool"),
         ({"controller": "mach3", "high_speed": "on"}, "no high-speed mode"),
+        ({"controller": "heidenhain", "nc_units": "inch"}, "are in mm"),
         ({"controller": "haas", "rtcp": "angles", "linearize": "on"}, "give one"),
     ):
         with pytest.raises(FiveAxisError, match=message):
@@ -64,6 +65,17 @@ def test_the_high_speed_mode_stands_in_the_program(doc, ball):
         doc, ball, **{**FAST, "stepover": 8}, controller="siemens840d", high_speed="on"
     )
     assert path.HighSpeed == "on" and b"CYCLE832" in results.nc_of(path)
+
+
+def test_a_program_in_inches_says_so_and_the_path_keeps_what_it_is(doc, ball):
+    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller="haas")
+    assert path.ProgramUnits == "machine" and controllers.metric_of_path(path) == "G21"
+    largest, before = path.MaxSurfaceDeviation, results.nc_of(path)
+    path.ProgramUnits = "inch"
+    doc.recompute()
+    nc = results.nc_of(path)
+    assert b"G20" in nc and b"G21" not in nc and controllers.metric_of_path(path) == ""
+    assert path.MaxSurfaceDeviation == pytest.approx(largest, abs=0.003) and len(nc) < len(before)
 
 
 def test_a_guided_program_is_compared_and_clamped_as_any_other(doc, ball):

@@ -14,7 +14,14 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
 from freecad_fiveaxis.core.pipeline import options
-from freecad_fiveaxis.core.pipeline.settings import AUDIT, MILL, OutputSettings, build_settings, option_fields
+from freecad_fiveaxis.core.pipeline.settings import (
+    AUDIT,
+    MILL,
+    FacesSettings,
+    OutputSettings,
+    build_settings,
+    option_fields,
+)
 from freecad_fiveaxis.core.tool import KINDS, Cutter, kind_of, parse_cutter
 from freecad_fiveaxis.core.tool.body import body_of
 
@@ -31,7 +38,7 @@ GROUPS = {"Part", "Machine", "Tool", "Passes", "Axis", "Safety", "Output"}
 def test_every_option_but_files_to_write_or_to_select_has_a_property_with_its_group_and_help(path):
     for cls, leaf in option_fields(MILL):
         kind = leaf.metadata["kind"]
-        if cls is OutputSettings or kind in ("path", "paths"):
+        if cls in (OutputSettings, FacesSettings) or kind in ("path", "paths"):
             assert properties.property_name(leaf.name) not in {
                 one.name for one in properties.setting_properties(MILL)
             }
@@ -71,7 +78,7 @@ GIVEN = {
     "feed": 1234.5, "plunge_feed": "12in/min", "passes": "planes", "direction": -30, "scallop": 0.003, "max_axis_angle": 70, "steep_shallow": 40, "lead": 3, "tilt": "-0.1rad",
     "tool": 7, "spindle": 12000, "coolant": "on", "feed_mode": "g94", "work_offset": "G55", "tool_axis": "fixed", "axis": "1,0,2",
     "control_point": "centre", "order": "one_way", "tolerance": "0.0005in", "blend": 0.02, "method": "so2008",
-    "lead_in": 2.5, "spiral": "on", "linearize": "on", "singularity": "linearize", "high_speed": "on", "gouge": "lift", "shank": "8x20", "holder": "1inx2in,63x50.5",
+    "lead_in": 2.5, "spiral": "on", "linearize": "on", "singularity": "linearize", "high_speed": "on", "nc_units": "inch", "gouge": "lift", "shank": "8x20", "holder": "1inx2in,63x50.5",
 }  # fmt: skip
 
 

@@ -692,6 +692,12 @@ def test_of_an_inch_document_it_is_stated_that_the_program_is_in_millimetres(
     screenshot("post_inches")
 
 
+def test_of_an_inch_document_a_program_in_inches_has_nothing_to_say_either(path, inches, tmp_path, post_to):
+    path.ProgramUnits = "inch"
+    panel = post_to(tmp_path / "part.ngc")
+    assert panel.form.findChild(QtWidgets.QLabel, "post_units") is None
+
+
 def test_of_a_metric_document_the_programs_unit_is_nothing_to_say(path, millimetres, tmp_path, post_to):
     panel = post_to(tmp_path / "part.ngc")
     assert panel.form.findChild(QtWidgets.QLabel, "post_units") is None
