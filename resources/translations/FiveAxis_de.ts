@@ -7244,6 +7244,14 @@
         <translation>er braucht {keys} und nichts sonst</translation>
     </message>
     <message>
+        <source>it repeats lines with jumps or repeats</source>
+        <translation>er wiederholt Zeilen mit Sprüngen oder Wiederholungen</translation>
+    </message>
+    <message>
+        <source>it repeats more than {most} lines</source>
+        <translation>er wiederholt mehr als {most} Zeilen</translation>
+    </message>
+    <message>
         <source>it says none of TURN, MOVE and STAY</source>
         <translation>sie nennt weder TURN noch MOVE noch STAY</translation>
     </message>
@@ -9702,6 +9710,10 @@
     <message>
         <source>{count} lines by their angle (,A, ANG=) are not worked out, first NC line {line}: it takes one coordinate of the end, or a next line with an angle and both. Post the places of their ends.</source>
         <translation>{count} Geraden mit Winkel (,A, ANG=) sind nicht bestimmt, erste NC-Zeile {line}: es braucht eine Koordinate des Endes oder eine nächste Gerade mit Winkel und beiden. Die Orte ihrer Enden ausgeben.</translation>
+    </message>
+    <message>
+        <source>{count} lines have a slash (block skip) between their words; what stands behind it is read as if the switch were off.</source>
+        <translation>In {count} Zeilen steht ein Schrägstrich (Satz ausblenden) zwischen den Wörtern; was dahinter steht, wird gelesen, als wäre der Schalter aus.</translation>
     </message>
     <message>
         <source>{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them. The first: {shown}.</source>

@@ -69,7 +69,18 @@ HARMLESS = {
 SIDES = (410, 411, 412, 414, 415, 416, 420, 421, 422, 424, 425, 426)
 """Cutter compensation; with D0 in the same line it moves nothing."""
 WORDS_IGNORED = "NOSMTHDPQLFG"
-WORDS_OF = {51: "R", 53: "R", 1870: "E", 250: "R", 260: "R", **dict.fromkeys(CYCLES, "R")}
+WORDS_OF = {
+    51: "R",
+    53: "R",
+    1870: "E",
+    250: "R",
+    260: "R",
+    100: "R",
+    680: "R",
+    3310: "K",
+    3320: "K",
+    **dict.fromkeys(CYCLES, "R"),
+}
 """Words that belong to a code in their line and are no places: the level of G5.1 Q1 R1 (Fanuc), the tolerance
 of G187 P3 E0.01 (Haas), the height R of a cycle, of which is said that it is not written out."""
 AXES = "XYZABCUVW"
@@ -207,7 +218,7 @@ CODES: dict[int, Kind] = {
         (100, 160, 501, 510, 511, 542, 543, 544, 680, 683, 684, 2530, 2680, 2690, 920, 921, 922, 923, 1000),
         SHIFT,
     ),
-    **dict.fromkeys((1010, 1430), SHIFT),
+    **dict.fromkeys((70, 1010, 1430), SHIFT),
     **dict.fromkeys((71, 1070), POLAR),
     **dict.fromkeys((120, 130, 310, 350, 360, 370, 470, 1360, 1500), CYCLE_KIND),
     270: HOME,
@@ -254,6 +265,7 @@ _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0,
     6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
+    **dict.fromkeys((2470, 2480, 3470, 3480, 1400, 1410, 1420, 1430, 3400, 3410), 0),
 }  # fmt: skip
 FEED_GROUPS = tuple(range(90000, 95000, 10))
 """Private codes, G9000 to G9499: over which axes F is measured (:mod:`.feed_groups`)."""
@@ -261,6 +273,8 @@ WITHOUT_OFFSET = 5000
 """G500 of Siemens: no settable zero offset is on."""
 POLES = (1100, 1110, 1120)
 """G110 to G112 of Siemens: poles, whose axis words move nothing."""
+TAPPING = (3310, 3320)
+"""G331 and G332 of Siemens: a thread cut without a cycle, in and out, whose Z follows the spindle."""
 _SIEMENS_OFFSETS = (540, 550, 560, 570, *range(5050, 6000, 10))
 SIEMENS = Grammar(
     "siemens",
@@ -270,7 +284,7 @@ SIEMENS = Grammar(
         {*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS, *FEED_GROUPS} - {490, 434, 435, 2340, 2341, *TILT}
     ),
     {
-        **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
+        **dict.fromkeys((330, 331, 332, 340, 350, 630, *TAPPING), CYCLE_KIND),
         **dict.fromkeys((530, 740, 750, 1530), HOME),
         **dict.fromkeys((*POLES, 580, 590), SHIFT),
         **dict.fromkeys((410, 420), RADIUS),
@@ -281,10 +295,11 @@ SIEMENS = Grammar(
     ends=(2, 17, 30),
     dwell="FS",
     offsets=_SIEMENS_OFFSETS,
-    no_move=(530, 740, 750, 1530, *POLES),
+    no_move=(530, 580, 590, 740, 750, 1530, *POLES),
     motion={
-        code: mode for code, mode in MOTION.items() if code not in (740, 750)
-    },  # fixed points, in their line alone
+        **{code: mode for code, mode in MOTION.items() if code not in (740, 750)},
+        **dict.fromkeys(TAPPING, CYCLE),
+    },  # G74 and G75: fixed points, in their line alone
 )
 HEIDENHAIN = Grammar(
     "heidenhain",

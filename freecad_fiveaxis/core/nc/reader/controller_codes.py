@@ -4,6 +4,8 @@
 haas      G110 to G129 are work offsets, G70 to G72 circles and rows of holes (NGC mill operator's manual).
 fanuc     G43.1 is a length along the tool's axis, in whose lines X Y Z move (B-63324EN, tool length
           compensation in tool axis direction); elsewhere its words are the length itself (LinuxCNC, grbl).
+          G112 is another name of G12.1, polar coordinates (B-64304EN, G code list), where Haas' mills have a
+          work offset.
 grbl      F in a program in inches is made mm a minute whatever moves (gcode.c of grbl-Mega-5X), so that of
           rotary axes alone is 25.4 times as many degrees.
 turns     LinuxCNC's P of G2 and G3: an arc of P turns, P1 where none is told; grblHAL has it from there.
@@ -26,6 +28,7 @@ from .words import Words
 HOLES = (700, 710, 720)
 NUMBERED = tuple(range(1100, 1300, 10))
 ALONG_AXIS = 431
+POLAR_ON, POLAR_OFF = 1120, 1130
 TURNING = ("linuxcnc", "grbl", "")
 """Controllers whose arcs have turns; "": nobody has said which."""
 OTHER_P = (41, 51, 100, 434, 435, 541, 640, 960, 1540, 1870, 2340)
@@ -48,7 +51,10 @@ def grammar_of(language: str, controller: str) -> Grammar:
         return replace(grammar, inch_degrees=False)
     if controller == "fanuc":
         no_move = tuple(code for code in grammar.no_move if code != ALONG_AXIS)
-        return replace(grammar, codes={**grammar.codes, ALONG_AXIS: codes.SHIFT}, no_move=no_move)
+        own = {ALONG_AXIS: codes.SHIFT, POLAR_ON: codes.POLAR}
+        return replace(
+            grammar, codes={**grammar.codes, **own}, no_move=no_move, harmless=grammar.harmless | {POLAR_OFF}
+        )
     return grammar
 
 

@@ -163,15 +163,15 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
                 )
                 found.append(report_finding(Code.UNKNOWN_CODE, text, float(count), line=line))
         known += [one for kind, named in met.items() for one in kind_findings(kind, named)]
-    return found, known + _report_machine_words(words, ends)
+    return found, known + _report_machine_words(words, ends, "$H" if grammar.name == "iso" else "SUPA")
 
 
-def _report_machine_words(words: Words, ends: tuple[int, int]) -> list[Finding]:
-    """Report the machine positions that a word tells (SUPA of Siemens) between the first block and the last,
-    as :func:`code_findings` does those of codes."""
+def _report_machine_words(words: Words, ends: tuple[int, int], name: str) -> list[Finding]:
+    """Report the machine positions that a word of that name tells (SUPA of Siemens) between the first block
+    and the last, as :func:`code_findings` does those of codes."""
     at = np.flatnonzero(words.letter == ord(codes.MACHINE))
     line = words.in_file(words.line[at[(words.line[at] >= ends[0]) & (words.line[at] <= ends[1])]])
-    return kind_findings(codes.HOME, {"SUPA": (int(line[0]), len(line))}) if len(line) else []
+    return kind_findings(codes.HOME, {name: (int(line[0]), len(line))}) if len(line) else []
 
 
 def _without_radius(words: Words) -> Ints:

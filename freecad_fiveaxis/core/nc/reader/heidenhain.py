@@ -67,6 +67,8 @@ NORMAL = re.compile(rb"(?<![A-Z])N[XYZ] *[-+]? *[0-9]*\.?[0-9]+\.?")
 PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
 
 PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"))
+QUIET = re.compile(rb"FN *(?:14|15|16|19|20|26|27|29|37|38) *:|(?:DECLARE STRING )?QS[0-9]+ *=")
+"""Functions that write, show, wait or stop, and settings of strings: none moves an axis."""
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32",
     b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"SECTION MONITORING",
@@ -226,7 +228,7 @@ def _word_of(line: bytes) -> bytes | None:
         return b"t0"
     if line.startswith(b"FUNCTION TCPM") and b"AXIS SPAT" not in line:
         return b"t1"
-    return b"" if line.startswith(HARMLESS) else None
+    return b"" if line.startswith(HARMLESS) or QUIET.match(line) else None
 
 
 def _note_function(line: bytes, at: int, notes: Notes) -> None:
