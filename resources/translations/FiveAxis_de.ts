@@ -6504,6 +6504,10 @@
         <translation>Bögen werden nicht verstanden</translation>
     </message>
     <message>
+        <source>arcs with a height for each turn, taken without more turns than one; post helices turn by turn</source>
+        <translation>Bögen mit einer Höhe je Umlauf, mit nicht mehr als einem Umlauf gelesen; Schraubenlinien Umlauf für Umlauf ausgeben</translation>
+    </message>
+    <message>
         <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.</source>
         <translation>liegen neben dem CL-Weg, fast alle gleich ({least} bis {most} an ihren Enden): der Postprozessor meinte eine andere Maschine, einen anderen Werkstücknullpunkt oder eine andere Werkzeuglänge. {origin} und {tool_length} ansehen; {recover} findet die passende Maschine.</translation>
     </message>

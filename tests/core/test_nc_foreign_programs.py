@@ -392,3 +392,86 @@ def test_a_parameter_is_shown_as_it_is_and_without_noise() -> None:
     text = "Q1 = 0.1\nQ1 = Q1 + 0.2\nL X+Q1 F100\nFOO X-Q1\nQ2 = 100\nL Y+Q2\nEND PGM A MM\n"
     program = read(KLARTEXT + text, "heidenhain")
     assert "FOO X-0.3 " in str([one.text for one in program.findings]) and path(program)[-1] == "f 0.3 100 20"
+
+
+def test_an_arc_of_fanuc_goes_round_as_often_as_l_says_and_a_height_of_a_turn_is_an_error() -> None:
+    """B-63324EN, 4.8: L is the count of turns, K the height of one."""
+    arc = ISO + "G2 X10. Y0 Z-10. I5. J0 {} F100.\nM30\n"
+    turned, height, both = (read(arc.format(word), "fanuc") for word in ("L3", "K12.", "K12. L3"))
+    way = np.hypot(2.5 * 10 * np.pi, 30)
+    assert length(turned) == pytest.approx(way, abs=0.05) and length(both) == pytest.approx(way, abs=0.05)
+    assert codes_of(height) == {"arc-not-interpreted": 3} and "K of an arc" in str(height.findings)
+    assert codes_of(turned) == codes_of(both) == codes_of(read(arc.format("K0"), "fanuc")) == {}
+    assert codes_of(read(arc.format("K3"), "linuxcnc")) == {"arc-not-interpreted": 3}
+    across = ISO + "G18\nG2 X10. Z20. I5. K0 J1.\nM30\n"
+    assert "J of an arc" in str(read(across, "fanuc").findings)
+
+
+@pytest.mark.parametrize(
+    ("controller", "lines", "code", "end"),
+    [
+        ("haas", "G84.2 X5. Z-5. R1.\nX6.\nG80", "cycle", "r 0 0 20"), ("haas", "G174 X5. Z-5. S100", "cycle", "r 0 0 20"), ("haas", "G77 X5. Z-5. R1.", "cycle", "r 0 0 20"),
+        ("fanuc", "G2.2 X9. I1. J0\nX7.", "arc", "f 7 0 20"), ("fanuc", "G3.4 X9. I1. J0\nX7.", "arc", "f 7 0 20"),
+    ],
+)  # fmt: skip
+def test_curves_and_threads_of_other_forms_are_no_rapids(
+    controller: str, lines: str, code: str, end: str
+) -> None:
+    program = read(f"{ISO}{lines}\nG0 Z21.\nM30\n", controller)
+    assert errors(program) == [f"{code}-not-interpreted"] and path(program)[-1].endswith(" 21")
+    assert path(program)[-2:-1] == ([end] if code == "arc" else [])
+
+
+def test_a_return_by_g29_is_a_machine_position() -> None:
+    program = read(ISO + "G30 P2 X0\nG29 X5.\nG0 X6.\nG1 X7.\nM30\n", "fanuc")
+    assert codes_of(program) == {"machine-position": 3} and path(program) == ["r 6 0 20", "f 7 0 20"]
+
+
+def test_the_depth_of_a_peck_without_a_point_is_noted() -> None:
+    program = read(ISO + "G83 X5. Z-5. R1. Q2000\nG80\nM30\n", "fanuc")
+    (found,) = [one for one in program.findings if one.code == "no-decimal-point"]
+    assert found.line == 3 and "Q2000" in found.text
+
+
+DIN = "%A G71 *\nN10 G00 G40 G90 X+0 Y+0 Z+20 A+0 C+0*\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "end"),
+    [
+        ("N20 G98 L1*\nN30 G91 G01 X+5 F100*\nN40 G90*\nN50 L1,2*", "f 15 0 20"),
+        ("N20 L5,0*\nN25 G00 Z+5 M2*\nN30 G98 L5*\nN31 G01 X+5 F100*\nN40 G98 L0*", "r 5 0 5"),
+    ],
+)  # fmt: skip
+def test_din_iso_of_heidenhain_calls_its_labels(text: str, end: str) -> None:
+    program = read(f"{DIN}{text}\nN99 %A G71*\n", "heidenhain")
+    assert codes_of(program) == {} and path(program)[-1] == end
+
+
+def test_centres_of_din_iso_are_absolute_and_stay() -> None:
+    """A whole circle fits any centre: about one a radius aside it would be read without a word."""
+    text = "N20 G01 X+10 F100*\nN30 G02 X+10 Y+0 I+5 J+0*\nN40 G03 X+0*\nN50 G03 X+0 Y+0*\nN60 G91 G02 X+10 Y+0 I+5 J+0*"
+    program = read(f"{DIN}{text}\nN99 %A G71*\n", "heidenhain")
+    assert codes_of(program) == {} and length(program) == pytest.approx(10 + 30 * np.pi, abs=0.1)
+    assert (
+        program.words[:, 0].min() == pytest.approx(0.0, abs=1e-6) and program.words[:, 0].max() <= 10.0 + 1e-6
+    )
+
+
+@pytest.mark.parametrize(
+    ("lines", "code"),
+    [
+        ("N30 G80 A+30 B+0 C+0*", "offset"), ("N30 G73 G90 H+30*", "offset"), ("N30 G79*", "cycle"), ("N30 G83 P01 +2 P02 -20 P03 5*", "cycle"),
+        ("N30 G01 G41 X+1*", "compensation"), ("N30 G06 X+1 Y+0*", "arc"), ("N30 G05 X+1 Y+0*", "arc"),
+    ],
+)  # fmt: skip
+def test_what_din_iso_means_otherwise_is_an_error_and_turns_no_axis(lines: str, code: str) -> None:
+    program = read(f"{DIN}N20 G01 X+1 F100*\n{lines}\nN40 X+2*\nN99 %A G71*\n", "heidenhain")
+    assert codes_of(program) == {f"{code}-not-interpreted": 4}
+    assert program.words[-1].tolist() == [2, 0, 20, 0, 0]
+
+
+@pytest.mark.parametrize("line", ["WHILE Q1 < 3", "FOR Q1 = 1 TO 3", "ELSE", "END IF", "END WHILE"])
+def test_a_loop_or_branch_that_klartext_does_not_know_is_an_error(line: str) -> None:
+    program = read(f"{KLARTEXT}Q1 = 0\n{line}\nL X+1 F100\nEND PGM A MM\n", "heidenhain")
+    assert codes_of(program) == {"macro-not-interpreted": 4}

@@ -20,11 +20,13 @@ from freecad_fiveaxis.core.base.sentences import say
 NONE, RAPID, STRAIGHT, ARC, CYCLE, SPLINE_MODE = -1, 0, 1, 2, 3, 4
 """Motion modes. NONE: no motion code so far, or after G80."""
 CLOCKWISE, COUNTER = 20, 30
-CYCLES = (*range(730, 780, 10), *range(810, 900, 10), 330, 331, 382, 383, 384, 385)
+CYCLES = (*range(730, 780, 10), *range(810, 900, 10), 842, 843, 330, 331, 382, 383, 384, 385)
 SPLINES = (50, 52, 62)
+CURVES = (21, 22, 23, 24, 31, 32, 33, 34)
+"""G2.1 to G3.4 of Fanuc: threads, involutes, exponential and three-dimensional arcs."""
 MOTION = {
     0: RAPID, 10: STRAIGHT, 800: NONE, 20: ARC, 30: ARC, **dict.fromkeys(SPLINES, SPLINE_MODE),
-    **dict.fromkeys(CYCLES, CYCLE),
+    **dict.fromkeys(CYCLES, CYCLE), **dict.fromkeys(CURVES, SPLINE_MODE),
 }  # fmt: skip
 DISTANCE = {900: 0, 910: 1}
 CENTRES = {911: 0, 901: 1}
@@ -47,7 +49,7 @@ LOCAL = 520
 DATUM = 540
 """G54 of Heidenhain's DIN/ISO: a datum shift."""
 NO_MOVE = (
-    71, 100, 109, 120, 130, 220, 270, 280, 281, 300, 301, 310, 350, 360, 370, 431, 432, 470, 501, 510,
+    71, 100, 109, 120, 130, 220, 270, 280, 281, 290, 300, 301, 310, 350, 360, 370, 431, 432, 470, 501, 510,
     511, 520, 530, 531, 650, 660, 661, 680, 682, 683, 684, 920, 921, 922, 923, 1000, 1010, 1070, 1360,
     1500, 2680,
 )  # fmt: skip
@@ -61,7 +63,7 @@ GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
 VECTORS_ON = (435,)
 """I J K of straight blocks are the tool's direction."""
 HARMLESS = {
-    *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51,
+    *(MOTION.keys() - {*CYCLES, *SPLINES, *CURVES}), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51,
     80, 90, 150, 400,
     401, 430, 440, 490, 431, 432, 500, 610, 611, 620, 640, 670, 690, 960, 970, 980, 990, 53, 250, 260, 1030,
     1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT,
@@ -126,6 +128,10 @@ Kind = tuple[Code, str]
 CYCLE_KIND: Kind = (
     Code.CYCLE_NOT_INTERPRETED,
     say("cycles, whose moves are missing here; post straight moves"),
+)
+SPIRAL: Kind = (
+    Code.ARC_NOT_INTERPRETED,
+    say("arcs with a height for each turn, taken without more turns than one; post helices turn by turn"),
 )
 ARC_KIND: Kind = (
     Code.ARC_NOT_INTERPRETED,
@@ -212,6 +218,7 @@ CODES: dict[int, Kind] = {
     DWELL: DWELL_KIND,
     **dict.fromkeys(CYCLES, CYCLE_KIND),
     **dict.fromkeys(SPLINES, SPLINE),
+    **dict.fromkeys(CURVES, ARC_KIND),
     **dict.fromkeys((650, 660, 661), CALL),
     **dict.fromkeys((280, 281, 300, 301, 530), HOME),
     **dict.fromkeys(
@@ -221,7 +228,7 @@ CODES: dict[int, Kind] = {
     **dict.fromkeys((70, 1010, 1430), SHIFT),
     **dict.fromkeys((71, 1070), POLAR),
     **dict.fromkeys((120, 130, 310, 350, 360, 370, 470, 1360, 1500), CYCLE_KIND),
-    270: HOME,
+    **dict.fromkeys((270, 290), HOME),
     **dict.fromkeys(SIDES, RADIUS),
     950: PER_TURN_KIND,
 }
@@ -310,14 +317,20 @@ HEIDENHAIN = Grammar(
         530: SHIFT,
         DWELL: DWELL_KIND,
         **dict.fromkeys((100, 110, 120, 130, 150, 160), POLAR),
-        **dict.fromkeys((280, 720), SHIFT),
-        **dict.fromkeys((240, 250, 260, 270), ARC_KIND),
-    },  # of DIN/ISO: polar moves, mirror and scale, chamfers, roundings and ways in and out
+        **dict.fromkeys((280, 720, 730), SHIFT),
+        **dict.fromkeys((50, 60, 240, 250, 260, 270), ARC_KIND),
+        **dict.fromkeys((*range(740, 800, 10), 830, 840, 850, 860), CYCLE_KIND),
+        **dict.fromkeys((410, 420), RADIUS),
+    },  # of DIN/ISO: polar moves, mirror, scale and turn, arcs, chamfers, ways in and out, cycles, their call
     {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL, 130: SHIFT, 144: SHIFT},
     ends=(2, 30),
     inch_feed=0.1 * INCH,
     dwell="FPXU",
     no_move=(*NO_MOVE, DATUM),
+    motion={
+        code: mode for code, mode in MOTION.items() if mode is not CYCLE and code not in (50, 52, 62, 800)
+    }
+    | {50: SPLINE_MODE, 60: SPLINE_MODE},
     guide_m={128: 1, 129: 0},
     machine_m=(91, 92),
 )

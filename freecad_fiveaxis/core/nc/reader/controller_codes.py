@@ -8,7 +8,8 @@ fanuc     G43.1 is a length along the tool's axis, in whose lines X Y Z move (B-
           work offset.
 grbl      F in a program in inches is made mm a minute whatever moves (gcode.c of grbl-Mega-5X), so that of
           rotary axes alone is 25.4 times as many degrees.
-turns     LinuxCNC's P of G2 and G3: an arc of P turns, P1 where none is told; grblHAL has it from there.
+turns     LinuxCNC's P of G2 and G3: an arc of P turns, P1 where none is told; grblHAL has it from there. L of
+          Fanuc's spiral and conical interpolation, where the radius stays (B-63324EN, 4.8).
 """
 
 from __future__ import annotations
@@ -20,12 +21,15 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding
 
 from . import codes
+from .arcs import AXES
 from .codes import GRAMMARS, Grammar
 from .lines import Lines
 from .noted import kind_findings
 from .words import Words
 
 HOLES = (700, 710, 720)
+TAPS = (770, 1740, 1840)
+"""G77 back boring and G174, G184, threads along a tilted tool, of Haas."""
 NUMBERED = tuple(range(1100, 1300, 10))
 ALONG_AXIS = 431
 POLAR_ON, POLAR_OFF = 1120, 1130
@@ -43,9 +47,9 @@ def grammar_of(language: str, controller: str) -> Grammar:
         return grammar
     if controller == "haas":
         return replace(
-            grammar, codes={**grammar.codes, **dict.fromkeys(HOLES, codes.CYCLE_KIND)},
+            grammar, codes={**grammar.codes, **dict.fromkeys((*HOLES, *TAPS), codes.CYCLE_KIND)},
             harmless=grammar.harmless | frozenset(NUMBERED), offsets=grammar.offsets + NUMBERED,
-            no_move=grammar.no_move + HOLES,
+            no_move=grammar.no_move + HOLES + TAPS,
         )  # fmt: skip
     if controller == "grbl":
         return replace(grammar, inch_degrees=False)
@@ -61,20 +65,36 @@ def grammar_of(language: str, controller: str) -> Grammar:
 def turn_arcs(
     words: Words, lines: Lines, grammar: Grammar, controller: str = ""
 ) -> tuple[Words, list[Finding]]:
-    """Return the words with the turns of arcs (P) as the private word for those besides; without any, the
-    same object."""
-    if grammar.name != "iso" or controller not in TURNING or "P" not in lines.letters:
+    """Return the words with the turns of arcs (P, L of Fanuc) as the private word for those besides; without
+    any, the same object."""
+    count = "P" if controller in TURNING else "L" if controller == "fanuc" else ""
+    if grammar.name != "iso" or not count or count not in lines.letters:
         return words, []
     arc = lines.mode(grammar.motion, codes.NONE) == codes.ARC
     arc &= ~np.isnan(lines.columns("IJKR")).all(axis=1) & ~lines.any_of(OTHER_P)
     arc[lines.m_line(M_WITH_P)] = False
-    at = np.flatnonzero((words.letter == ord("P")) & arc[words.line])
+    at = np.flatnonzero((words.letter == ord(count)) & arc[words.line])
     if not len(at):
         return words, []
     letter, value = words.letter.copy(), words.value.copy()
     letter[at] = ord(codes.TURNS)
     value[at] = np.maximum(np.rint(value[at]), 1.0) - 1.0
     return replace(words, letter=letter, value=value), []
+
+
+def name_spirals(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
+    """Report arcs whose centre has a word across their plane, the height of a turn on Fanuc, and no word that
+    says how often they turn."""
+    if grammar.name != "iso" or not np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any():
+        return words, []
+    across = lines.columns("IJK")[np.arange(lines.count), AXES[lines.mode(codes.PLANES, 0), 2]]
+    arc = lines.mode(grammar.motion, codes.NONE) == codes.ARC
+    arc &= np.isnan(lines.column(codes.TURNS)) & (lines.mode(codes.CENTRES, 0) == 0)
+    row = np.flatnonzero(arc & (np.nan_to_num(across) != 0.0))
+    if not len(row):
+        return words, []
+    name = "IJK"[int(AXES[lines.mode(codes.PLANES, 0), 2][row[0]])]
+    return words, kind_findings(codes.SPIRAL, {f"{name} of an arc": (int(row[0]), len(row))})
 
 
 def name_inclinations(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:

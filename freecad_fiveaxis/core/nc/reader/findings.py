@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
 from . import codes
 from .codes import Grammar
 from .corners import LETTER
+from .cycle_plan import PECKING
 from .lines import Lines, tenfold
 from .noted import MOST, kind_findings
 from .positions import ABSOLUTE, Moves, find_wraps
@@ -333,9 +334,10 @@ def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
 
 
 def point_findings(lines: Lines) -> tuple[Finding, ...]:
-    """How many words of axes have no decimal point, and are not 0."""
+    """How many words of axes and depths of pecks have no decimal point, and are not 0."""
     words = lines.words
     counted = np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & ~_belonging(lines)
+    counted |= (words.letter == ord(codes.PECK)) & lines.any_of(PECKING)[words.line]
     at = np.flatnonzero(words.bare() & counted & (words.value != 0.0))
     if not len(at):
         return ()

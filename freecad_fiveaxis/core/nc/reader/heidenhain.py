@@ -17,6 +17,7 @@ from __future__ import annotations
 import re
 
 from . import codes
+from .din_iso import with_own_words
 from .heidenhain_feeds import (
     BY_TOOL,
     UNKNOWN_FEED,
@@ -89,6 +90,8 @@ KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
     (b"CYCL", codes.CYCLE_KIND), (b"TCH PROBE", codes.CYCLE_KIND),
     (b"PATTERN", codes.CYCLE_KIND),
     (b"CALL", codes.CALL), (b"SEL", codes.CALL), (b"FN", codes.MACRO), (b"IF", codes.MACRO),
+    (b"ELSE", codes.MACRO), (b"WHILE", codes.MACRO), (b"FOR", codes.MACRO), (b"END IF", codes.MACRO),
+    (b"END WHILE", codes.MACRO), (b"END FOR", codes.MACRO),
     (b"DECLARE", codes.MACRO),
     (b"RND", codes.ARC_KIND), (b"CHF", codes.ARC_KIND), (b"APPR", codes.ARC_KIND), (b"DEP", codes.ARC_KIND),
     (b"CT", codes.ARC_KIND),
@@ -138,6 +141,7 @@ def with_unit(whole: bytes, text: bytes) -> bytes:
 
 def _words(text: bytes, notes: Notes) -> bytes:
     """Incremental words, radius compensation and arcs."""
+    text = with_own_words(text, notes)
     text = STEP.sub(lambda found: found[1].lower() + b" ", text) if b"I" in text else text
     if b"CC" in text:
         text = CENTRE.sub(lambda found: _centre(found, notes), text)

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import Template, say
 
-from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
+from . import codes, din_iso, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .feed_groups import FeedGroup
 from .heidenhain_polar import without_polar
 from .noted import Notes
@@ -81,6 +81,7 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     source, refused, cause, notes = None, list[Finding](), None, Notes()
+    text = din_iso.with_labels(text)
     if heidenhain_run.has_parameters(text):
         run = heidenhain_run.run_heidenhain(text, progress, of_machine)
         if isinstance(run, interpreter.Written):
