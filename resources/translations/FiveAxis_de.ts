@@ -6504,10 +6504,6 @@
         <translation>Bögen werden nicht verstanden</translation>
     </message>
     <message>
-        <source>arcs with a height for each turn, taken without more turns than one; post helices turn by turn</source>
-        <translation>Bögen mit einer Höhe je Umlauf, mit nicht mehr als einem Umlauf gelesen; Schraubenlinien Umlauf für Umlauf ausgeben</translation>
-    </message>
-    <message>
         <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.</source>
         <translation>liegen neben dem CL-Weg, fast alle gleich ({least} bis {most} an ihren Enden): der Postprozessor meinte eine andere Maschine, einen anderen Werkstücknullpunkt oder eine andere Werkzeuglänge. {origin} und {tool_length} ansehen; {recover} findet die passende Maschine.</translation>
     </message>
@@ -9546,6 +9542,10 @@
     <message>
         <source>{count} arcs run back against the straight moves beside them (first line {line}): does the CAM system mean its circles the other way round? Have curves written as points.</source>
         <translation>{count} Kreisbögen laufen den geraden Bewegungen neben ihnen entgegen (zuerst Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
+    </message>
+    <message>
+        <source>{count} arcs tell by I, J or K across their plane a height for each turn that is not theirs: they are taken without more turns than one. Give the plane (G17, G18, G19), or post helices turn by turn.</source>
+        <translation>{count} Kreisbögen nennen mit I, J oder K quer zu ihrer Ebene eine Höhe je Umlauf, die nicht ihre ist: sie werden mit höchstens einem Umlauf gelesen. Die Ebene angeben (G17, G18, G19) oder Schraubenlinien Umlauf für Umlauf ausgeben.</translation>
     </message>
     <message>
         <source>{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside islands; {on} others of the file run on as read.</source>

@@ -315,7 +315,7 @@ def test_loops_labels_and_functions_of_siemens_are_run(text: str, end: str) -> N
 @pytest.mark.parametrize(
     ("line", "reason"),
     [
-        ("REPEAT AB P=2", "AB stands in no line"), ("CD: G1 X5\nREPEAT CD AB", "AB stands in no line"), ("CD: G1 X5\nREPEAT CD P=9999999", "more than 2000000"),
+        ("REPEAT AB P=2", "AB stands in no line"), ("CD: G1 X5\nREPEAT CD AB", "AB stands in no line"), ("CD: G1 X5\nREPEAT CD P=9999999", "more than 200000"),
         ("CD: GOTOF EE\nEE:\nREPEAT CD P=2", "jumps or repeats"), ("DEF REAL V[3]=(1,2,3)\nDEF INT I, K\nFOR I=1 TO V[1]\nG1 X=I\nENDFOR", "V[3]"),
         ("CASE R1 OF 1 GOTOF AA 2 GOTOF BB", "CASE"),
     ],
@@ -394,17 +394,28 @@ def test_a_parameter_is_shown_as_it_is_and_without_noise() -> None:
     assert "FOO X-0.3 " in str([one.text for one in program.findings]) and path(program)[-1] == "f 0.3 100 20"
 
 
-def test_an_arc_of_fanuc_goes_round_as_often_as_l_says_and_a_height_of_a_turn_is_an_error() -> None:
+def test_an_arc_of_fanuc_goes_round_as_often_as_l_says() -> None:
     """B-63324EN, 4.8: L is the count of turns, K the height of one."""
     arc = ISO + "G2 X10. Y0 Z-10. I5. J0 {} F100.\nM30\n"
-    turned, height, both = (read(arc.format(word), "fanuc") for word in ("L3", "K12.", "K12. L3"))
     way = np.hypot(2.5 * 10 * np.pi, 30)
-    assert length(turned) == pytest.approx(way, abs=0.05) and length(both) == pytest.approx(way, abs=0.05)
-    assert codes_of(height) == {"arc-not-interpreted": 3} and "K of an arc" in str(height.findings)
-    assert codes_of(turned) == codes_of(both) == codes_of(read(arc.format("K0"), "fanuc")) == {}
-    assert codes_of(read(arc.format("K3"), "linuxcnc")) == {"arc-not-interpreted": 3}
-    across = ISO + "G18\nG2 X10. Z20. I5. K0 J1.\nM30\n"
-    assert "J of an arc" in str(read(across, "fanuc").findings)
+    for word in ("L3", "K12. L3"):
+        program = read(arc.format(word), "fanuc")
+        assert codes_of(program) == {} and length(program) == pytest.approx(way, abs=0.05)
+    assert length(read(arc.format("L1"), "fanuc")) == pytest.approx(np.hypot(5 * np.pi, 30), abs=0.05)
+
+
+def test_a_height_for_each_turn_that_an_arc_has_not_is_an_error() -> None:
+    """Posts tell it for a turn or for a radian; K under G17 without a height is a lathe's program, without its G18."""
+    arc = ISO + "G2 X10. Y0 Z-10. I5. J0 {} F100.\nM30\n"
+    for word in ("K12.", "K0.5", "K-3.3333"):
+        for controller in ("fanuc", "linuxcnc"):
+            program = read(arc.format(word), controller)
+            assert codes_of(program) == {"arc-not-interpreted": 3} and "G18" in str(program.findings)
+    for word in ("K0", "K60.", "K-60.0", "K9.549", ""):
+        assert codes_of(read(arc.format(word), "fanuc")) == {}
+    turn = {"G17": "X10. Y0 I5. J0 K5.", "G18": "X10. Z20. I5. J5. K0", "G19": "Y10. Z20. I5. J5. K0"}
+    for plane, words in turn.items():
+        assert errors(read(f"{ISO}{plane} G3 {words}\nM30\n", "fanuc")) == ["arc-not-interpreted"]
 
 
 @pytest.mark.parametrize(
@@ -475,3 +486,21 @@ def test_what_din_iso_means_otherwise_is_an_error_and_turns_no_axis(lines: str, 
 def test_a_loop_or_branch_that_klartext_does_not_know_is_an_error(line: str) -> None:
     program = read(f"{KLARTEXT}Q1 = 0\n{line}\nL X+1 F100\nEND PGM A MM\n", "heidenhain")
     assert codes_of(program) == {"macro-not-interpreted": 4}
+
+
+def test_values_of_siemens_are_worked_out_without_any_variable() -> None:
+    text = 'G1 X=5+3 Y=(2+3)*2 F=100*2\nX=-(3) Y=5-1\nX=IC(2*3) Y=AC(-3+1)\nMSG("a=(b)")\nC=DC(90+10)\nZ=SIN(90)\n'
+    program = read(SIEMENS + text + "M30\n", "siemens840d")
+    assert codes_of(program) == {} and path(program) == [
+        "f 8 10 20",
+        "f -3 4 20",
+        "f 3 -2 20",
+        "f 3 -2 20",
+        "f 3 -2 1",
+    ]
+    assert (program.feed[1:] == 200).all() and program.words[-1, 3] == 100
+
+
+def test_a_limit_of_the_speed_is_no_shift() -> None:
+    assert codes_of(read(ISO + "G92 S3000\nG1 X5.\nM30\n", "fanuc")) == {}
+    assert errors(read(ISO + "G92 X0 S3000\nG1 X5.\nM30\n", "fanuc")) == ["offset-not-interpreted"]

@@ -44,6 +44,7 @@ DYNAMIC = (2540, 2550)
 """G254 and G255 of Haas: the dynamic work offset, on and off (:mod:`.dynamic_offset`)."""
 KINEMATICS = (121, 131)
 """G12.1 and G13.1 of LinuxCNC: the switch of kinematics (:mod:`.kinematics_switch`)."""
+PRESET_ZERO = 920
 LOCAL = 520
 """G52: the zero of the local coordinate system."""
 DATUM = 540
@@ -128,10 +129,6 @@ Kind = tuple[Code, str]
 CYCLE_KIND: Kind = (
     Code.CYCLE_NOT_INTERPRETED,
     say("cycles, whose moves are missing here; post straight moves"),
-)
-SPIRAL: Kind = (
-    Code.ARC_NOT_INTERPRETED,
-    say("arcs with a height for each turn, taken without more turns than one; post helices turn by turn"),
 )
 ARC_KIND: Kind = (
     Code.ARC_NOT_INTERPRETED,

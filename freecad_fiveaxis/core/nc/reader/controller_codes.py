@@ -21,7 +21,6 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding
 
 from . import codes
-from .arcs import AXES
 from .codes import GRAMMARS, Grammar
 from .lines import Lines
 from .noted import kind_findings
@@ -80,21 +79,6 @@ def turn_arcs(
     letter[at] = ord(codes.TURNS)
     value[at] = np.maximum(np.rint(value[at]), 1.0) - 1.0
     return replace(words, letter=letter, value=value), []
-
-
-def name_spirals(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
-    """Report arcs whose centre has a word across their plane, the height of a turn on Fanuc, and no word that
-    says how often they turn."""
-    if grammar.name != "iso" or not np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any():
-        return words, []
-    across = lines.columns("IJK")[np.arange(lines.count), AXES[lines.mode(codes.PLANES, 0), 2]]
-    arc = lines.mode(grammar.motion, codes.NONE) == codes.ARC
-    arc &= np.isnan(lines.column(codes.TURNS)) & (lines.mode(codes.CENTRES, 0) == 0)
-    row = np.flatnonzero(arc & (np.nan_to_num(across) != 0.0))
-    if not len(row):
-        return words, []
-    name = "IJK"[int(AXES[lines.mode(codes.PLANES, 0), 2][row[0]])]
-    return words, kind_findings(codes.SPIRAL, {f"{name} of an arc": (int(row[0]), len(row))})
 
 
 def name_inclinations(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:

@@ -143,6 +143,7 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
         keep = inside | ~np.isin(number, retract)
         if letter == "G":
             keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
+            keep &= ~((number == codes.PRESET_ZERO) & np.isin(words.line[at], _limiting_speed(words)))
         at, number = at[keep], number[keep]
         met: dict[codes.Kind, dict[str, tuple[int, int]]] = {}
         for value, first, count in zip(
@@ -178,6 +179,12 @@ def _report_machine_words(words: Words, ends: tuple[int, int], name: str) -> lis
 def _without_radius(words: Words) -> Ints:
     """Return the lines with D0: a compensation by nothing."""
     return np.asarray(words.line[(words.letter == ord("D")) & (words.value == 0.0)])
+
+
+def _limiting_speed(words: Words) -> Ints:
+    """Return the lines with S and no axis: there G92 limits the speed of the spindle."""
+    axes = words.line[np.isin(words.letter, [ord(letter) for letter in codes.AXES])]
+    return np.setdiff1d(words.line[words.letter == ord("S")], axes)
 
 
 def _numbers(value: Floats, letter: str) -> Ints:

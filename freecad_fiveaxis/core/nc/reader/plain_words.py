@@ -63,13 +63,14 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     if not (
         calls
         or siemens_run.SIGN.search(text)
+        or siemens_run.EXPRESSION.search(text)
         or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)
     ):
         return _with_findings(text, read, notes, None, [])
     notes, called = Notes(), text
     text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
     source, refused = None, list[Finding]()
-    if calls or siemens_run.MARK.search(text):
+    if calls or siemens_run.MARK.search(text) or siemens_run.EXPRESSION.search(text):
         run = interpreter.run_program(text, False, progress, siemens=called, search=of_machine.search)
         if isinstance(run, interpreter.Written):
             text, source = run.text, run.source

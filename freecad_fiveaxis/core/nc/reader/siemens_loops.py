@@ -31,7 +31,7 @@ REPEAT = re.compile(
     r"(?: +(?!P *=)(?P<last>[A-Z_]{2}[A-Z0-9_]*|N *[0-9]+))?(?: +P *= *(?P<times>[0-9]+))? *$"
 )
 LABEL = re.compile(r"^ *(?P<number>N *[0-9]+)? *(?:(?P<name>[A-Z_]{2}[A-Z0-9_]*) *:)?")
-MOST = 2_000_000
+MOST = 200_000
 """Lines that repeats may make."""
 
 

@@ -42,8 +42,15 @@ KEYWORD = re.compile(
 JUMP = re.compile(r"(.*)GOTO([FB]?)([A-Z0-9_]+)$")
 VALUE = re.compile(r"= *(?:(?:AC|IC|DC|ACP|ACN) *\()?")
 """Before a value in a line with variables."""
-WORKED_OUT = re.compile(r"=[-+]*(?:(?!(?:AC|IC|DC|ACP|ACN)\()[A-Z_]*[0-9]?\(|[0-9.]+[-+*/])")
+WORKED_OUT = re.compile(
+    r"=[-+]*(?:(?!(?:AC|IC|DC|ACP|ACN)\()[A-Z_]*[0-9]?\(|(?:[ADI]C[PN]?\([-+]?)?[0-9.]+[-+*/])"
+)
 """A value to work out, without variables."""
+EXPRESSION = re.compile(
+    rb"= *[-+]* *(?:[0-9.]+ *[-+*/]|\(|(?:SIN|COS|TAN|ASIN|ACOS|ATAN2|SQRT|ABS|POT|LN|EXP|ROUND|TRUNC) *\("
+    rb"|[ADI]C[PN]? *\( *[-+]? *[0-9.]+ *[-+*/])"
+)
+"""What shows that a text without variables has a value to work out."""
 PLAIN = re.compile(r"[-+]?[0-9.]*")
 CALLED = re.compile(r"(?<![A-Z0-9_$])([A-Z_][A-Z_][A-Z0-9_]*) *\((.*)\) *$")
 SUB = 90_000_000

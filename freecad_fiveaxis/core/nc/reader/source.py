@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from .canned_cycles import write_out_cycles
 from .codes import Grammar
-from .controller_codes import grammar_of, name_inclinations, name_quadratic_splines, name_spirals, turn_arcs
+from .controller_codes import grammar_of, name_inclinations, name_quadratic_splines, turn_arcs
 from .findings import in_file, language_finding, point_findings, up_to_end
 from .heidenhain_cycles import diameters
 from .lines import Assumed, Lines, by_least_increment, without_dwells
@@ -62,7 +62,7 @@ def read_source(
     source = Source(grammar, lines, whole.findings + in_file(words, findings), whole.cause)
     expansions: tuple[Expansion, ...] = (
         shift_words, name_quadratic_splines, name_inclinations, partial(turn_arcs, controller=controller),
-        name_spirals, partial(write_out_cycles, controller=controller),
+        partial(write_out_cycles, controller=controller),
     )  # fmt: skip
     if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then
         expansions = holes_written_out, shift_words
