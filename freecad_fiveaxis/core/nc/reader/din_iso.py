@@ -17,6 +17,9 @@ from bisect import bisect_right
 from . import codes
 from .noted import Notes
 
+SIGN = re.compile(rb"^ *(?:N *[0-9]+ *)?G *[0-9]", re.MULTILINE)
+LOOKED_AT = 20_000
+"""Bytes at the start of a text that show a line of DIN/ISO."""
 LABEL = re.compile(rb"^ *N *[0-9]+ *G98 *L *([0-9]+) *$", re.MULTILINE)
 CALL = re.compile(rb"^ *N *[0-9]+ *L *([0-9]+) *, *([0-9]+) *$", re.MULTILINE)
 CENTRE = re.compile(rb"(?<![A-Z0-9])([IJK])(?= *[-+.0-9])")
@@ -28,7 +31,7 @@ CYCLE = re.compile(rb"(?<![A-Z0-9])G *(?P<name>7[4-8]|8[3-6]) +[^\n]*P *0?[0-9]+
 
 def with_labels(text: bytes) -> bytes:
     """Return the text with labels and calls of DIN/ISO as klartext has them."""
-    if b"L" not in text or not (LABEL.search(text) or CALL.search(text)):
+    if b"G98" not in text and b"G 98" not in text:
         return text
     text = LABEL.sub(rb"LBL \1", text)
     return CALL.sub(lambda found: b"CALL LBL " + found[1] + _repeats(found[2]), text)
@@ -39,11 +42,13 @@ def _repeats(count: bytes) -> bytes:
 
 
 def with_own_words(text: bytes, notes: Notes) -> bytes:
-    """Return plain words with centres as those of CC, at equal length, and without cycles and tilted planes,
+    """Return the text with centres as those of CC, at equal length, and without cycles and tilted planes,
     which are noted."""
+    if not SIGN.search(text[:LOOKED_AT]):
+        return text
     if b"G80" in text:
         text = PLANE.sub(lambda found: _leave_out(found, codes.SHIFT, "G80", notes), text)
-    if b"P" in text:
+    if b"P0" in text:
         text = CYCLE.sub(lambda found: _leave_out(found, codes.CYCLE_KIND, _name(found), notes), text)
     if not CENTRE.search(text):
         return text

@@ -17,7 +17,6 @@ from __future__ import annotations
 import re
 
 from . import codes
-from .din_iso import with_own_words
 from .heidenhain_feeds import (
     BY_TOOL,
     UNKNOWN_FEED,
@@ -141,7 +140,6 @@ def with_unit(whole: bytes, text: bytes) -> bytes:
 
 def _words(text: bytes, notes: Notes) -> bytes:
     """Incremental words, radius compensation and arcs."""
-    text = with_own_words(text, notes)
     text = STEP.sub(lambda found: found[1].lower() + b" ", text) if b"I" in text else text
     if b"CC" in text:
         text = CENTRE.sub(lambda found: _centre(found, notes), text)

@@ -90,7 +90,7 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
         else:
             cause = not_run(run)
             refused = [cause]
-    text = without_polar(heidenhain.join_lines(text))
+    text = din_iso.with_own_words(without_polar(heidenhain.join_lines(text)), notes)
     return replace(_with_findings(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 

@@ -67,6 +67,7 @@ STATEMENT = re.compile(
     re.MULTILINE,
 )
 """A line of variables or jumps, whose words are none of a block."""
+STATEMENTS = (b"DEF", b"FOR", b"CASE", b"PROC", b"IF", b"WHILE", b"UNTIL", b"SET", b"REPEAT", b"GOTO")
 OWN_HEAD = re.compile(
     rb"^ *(?:N *[0-9]+ *)?PROC +[A-Z_][A-Z0-9_]* *(?:\( *\))?"
     rb"(?: +(?:SAVE|DISPLOF|DISPLON|SBLOF|SBLON|ACTBLOCNO))* *$",
@@ -115,9 +116,7 @@ WAYS = {
 def plain(text: bytes, notes: Notes) -> bytes:
     """Return the text, in capitals and without comments, as ISO words with the private letters; every line
     stays where it is."""
-    text = OWN_END.sub(rb"\1M17", OWN_HEAD.sub(_blank, without_strings(text)))
-    text = STATEMENT.sub(lambda found: _leave_out(found, notes), text)
-    text = corners.mark_corners(shifts(text), siemens=True)
+    text = corners.mark_corners(shifts(_without_statements(without_strings(text), notes)), siemens=True)
     if b"SCALE" in text or b"MIRROR" in text or b"ROTS" in text:
         text = FRAME.sub(lambda found: _note_word(found, codes.SHIFT, found[1], notes), text)
     if b"FG" in text:
@@ -130,6 +129,17 @@ def plain(text: bytes, notes: Notes) -> bytes:
     return KEYWORD.sub(
         lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text
     )
+
+
+def _without_statements(text: bytes, notes: Notes) -> bytes:
+    """Leave out the head of a program, and lines of variables and jumps, which are noted."""
+    if b"PROC" in text:
+        text = OWN_HEAD.sub(_blank, text)
+    if b"RET" in text:
+        text = OWN_END.sub(rb"\1M17", text)
+    if not any(word in text for word in STATEMENTS):
+        return text
+    return STATEMENT.sub(lambda found: _leave_out(found, notes), text)
 
 
 def swivels(text: bytes, notes: Notes) -> bytes:

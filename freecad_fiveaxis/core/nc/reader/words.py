@@ -253,8 +253,8 @@ def _blank_non_words(
         text = corners.mark_corners(text)
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
-    for pattern, sentence in ((SLASH, SKIPPED), (WITHIN, SKIPPED_WITHIN)) if b"/" in text else ():
-        text, lines = _overwritten(text, pattern, b" ")
+    for pattern, sentence in ((SLASH, SKIPPED), (WITHIN, SKIPPED_WITHIN)):
+        text, lines = _overwritten(text, pattern, b" ") if b"/" in text else (text, [])
         if lines:
             found = finding_at(Code.BLOCK_SKIP, sentence.say(count=len(lines)), text, lines[0])
             findings.append(relocate_finding(found, plain.source))
