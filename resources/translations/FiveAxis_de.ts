@@ -7260,6 +7260,14 @@
         <translation>er braucht {keys} und nichts sonst</translation>
     </message>
     <message>
+        <source>it repeats lines with jumps or repeats</source>
+        <translation>er wiederholt Zeilen mit Sprüngen oder Wiederholungen</translation>
+    </message>
+    <message>
+        <source>it repeats more than {most} lines</source>
+        <translation>er wiederholt mehr als {most} Zeilen</translation>
+    </message>
+    <message>
         <source>it says none of TURN, MOVE and STAY</source>
         <translation>sie nennt weder TURN noch MOVE noch STAY</translation>
     </message>
@@ -9556,6 +9564,10 @@
         <translation>{count} Kreisbögen laufen den geraden Bewegungen neben ihnen entgegen (zuerst Zeile {line}): Meint das CAM-System seine Kreise andersherum? Kurven als Punkte ausgeben lassen.</translation>
     </message>
     <message>
+        <source>{count} arcs tell by I, J or K across their plane a height for each turn that is not theirs: they are taken without more turns than one. Give the plane (G17, G18, G19), or post helices turn by turn.</source>
+        <translation>{count} Kreisbögen nennen mit I, J oder K quer zu ihrer Ebene eine Höhe je Umlauf, die nicht ihre ist: sie werden mit höchstens einem Umlauf gelesen. Die Ebene angeben (G17, G18, G19) oder Schraubenlinien Umlauf für Umlauf ausgeben.</translation>
+    </message>
+    <message>
         <source>{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside islands; {on} others of the file run on as read.</source>
         <translation>{count} Bögen kehren um, wo Geraden an sie stoßen (zuerst Zeile {line}), wie in Ecken neben Inseln; {on} andere der Datei laufen weiter wie gelesen.</translation>
     </message>
@@ -9722,6 +9734,10 @@
     <message>
         <source>{count} lines by their angle (,A, ANG=) are not worked out, first NC line {line}: it takes one coordinate of the end, or a next line with an angle and both. Post the places of their ends.</source>
         <translation>{count} Geraden mit Winkel (,A, ANG=) sind nicht bestimmt, erste NC-Zeile {line}: es braucht eine Koordinate des Endes oder eine nächste Gerade mit Winkel und beiden. Die Orte ihrer Enden ausgeben.</translation>
+    </message>
+    <message>
+        <source>{count} lines have a slash (block skip) between their words; what stands behind it is read as if the switch were off.</source>
+        <translation>In {count} Zeilen steht ein Schrägstrich (Satz ausblenden) zwischen den Wörtern; was dahinter steht, wird gelesen, als wäre der Schalter aus.</translation>
     </message>
     <message>
         <source>{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without them. The first: {shown}.</source>

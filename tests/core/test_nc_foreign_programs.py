@@ -260,3 +260,247 @@ def test_what_a_macro_writes_to_a_port_moves_nothing(controller: str) -> None:
     program = read(ISO + text, controller)
     assert path(program) == ["f 3 0 20"] and codes_of(program) == {}
     assert errors(read(ISO + "DPRNT[X#1] G1 X3\nG1 X5.\nM30\n", controller)) == ["macro-not-interpreted"]
+
+
+@pytest.mark.parametrize(
+    ("lines", "moves"),
+    [
+        ("MIRROR X0\nG1 X5 Y2", ["f 5 2 20"]), ("G1 X1\nASCALE X3 Y3\nX5", ["f 1 0 20", "f 5 0 20"]),
+        ("G58 X5\nG1 X4", ["f 4 0 20"]), ("G1 X1\nG59 Y3\nX2", ["f 1 0 20", "f 2 0 20"]), ("AROTS X9 Y9\nG1 X2", ["f 2 0 20"]),
+        ("TOFFL=1.5\nG1 X2", ["f 2 0 20"]), ("TOFFL[2]=-1 G1 X2", ["f 2 0 20"]), ("TOFF[Z]=0.5\nG1 X2", ["f 2 0 20"]),
+    ],
+)  # fmt: skip
+def test_what_moves_or_scales_the_zero_of_siemens_is_an_error_and_no_move(
+    lines: str, moves: list[str]
+) -> None:
+    program = read(SIEMENS + lines + "\nM30\n", "siemens840d")
+    assert errors(program) == ["offset-not-interpreted"] and path(program) == moves
+
+
+def test_a_tool_length_changed_by_nothing_is_no_error() -> None:
+    assert codes_of(read(SIEMENS + "TOFFL=0 TOFFR=2\nG1 X2 OFFN=0\nM30\n", "siemens840d")) == {}
+
+
+def test_a_thread_without_a_cycle_is_an_error_and_no_rapid() -> None:
+    program = read(SIEMENS + "G331 Z-5 K1 S100\nG332 Z5 K1\nZ7\nG0 X5\nM30\n", "siemens840d")
+    assert codes_of(program) == {"cycle-not-interpreted": 3} and path(program) == ["r 5 0 20"]
+
+
+def test_a_semicolon_in_a_string_begins_no_comment() -> None:
+    text = 'MSG("a;b") ; not "this\nG1 X5 ; nor "this;"\nT="D6;R1" D1\nX6\nM30\n'
+    program = read(SIEMENS + text, "siemens840d")
+    assert codes_of(program) == {} and path(program) == ["f 5 0 20", "f 6 0 20"]
+
+
+@pytest.mark.parametrize(
+    ("text", "end"),
+    [
+        ("R1=0\nIF R1==0 GOTOF AA\nG1 X5\nAA:G1 X6 Y1", "f 6 1 20"),
+        ("R1=0\nAA: R1=R1+1\nG1 X=R1\nIF R1<3 GOTOB AA\nGOTO EE\nX99\nEE: M30", "f 3 0 20"),
+        ("R1=2\nGOTOF AA\nG1 X5\nAA: IF R1>1\nG1 X7\nENDIF", "f 7 0 20"),
+        ("R1=30\nG1 X=SIN(30)*10 Y=SQRT(16) Z=ABS(-3)\nX=R1*SIN(R1)", "f 15 4 3"),
+        ("G91\nFOR R1=1 TO 3\nG1 X5\nENDFOR", "f 15 0 20"), ("FOR R1=3 TO 1\nG1 X5\nENDFOR\nG1 X=R1", "f 3 0 20"),
+        ("DEF INT I\nFOR I=1 TO 2\nN5 FOR R2 = I TO 2*2\nG1 X=I Y=R2\nENDFOR\nENDFOR", "f 2 4 20"),
+        ("R[1]=5\nG1 X=R1\nX=R[1]+1", "f 6 0 20"), ("G91\nN20 LAB: G1 X5\nY1\nN30 REPEATB LAB P=2", "f 15 1 20"),
+        ("G91\nLAB: G1 X5\nY1\nN30 REPEAT LAB P=2\nZ1\nREPEAT N30", "f 25 5 22"), ("G91 G1\nAB:\nX5\nBC: Y1\nZ1\nREPEAT AB BC", "f 10 2 21"),
+        ("G91 G1\nAB: X5\nENDLABEL:\nZ1\nREPEAT AB P=2", "f 15 0 21"), ("G91 G1 X1\nREPEAT AB BC P=2\nY1\nAB: X5\nBC: Z1", "f 16 1 23"),
+        ("PROC MAIN SAVE DISPLOF\nG1 X5\nRET\nX9", "f 5 0 20"),
+    ],
+)  # fmt: skip
+def test_loops_labels_and_functions_of_siemens_are_run(text: str, end: str) -> None:
+    program = read(SIEMENS + text + "\nM30\n", "siemens840d")
+    assert codes_of(program) == {} and path(program)[-1] == end
+
+
+@pytest.mark.parametrize(
+    ("line", "reason"),
+    [
+        ("REPEAT AB P=2", "AB stands in no line"), ("CD: G1 X5\nREPEAT CD AB", "AB stands in no line"), ("CD: G1 X5\nREPEAT CD P=9999999", "more than 200000"),
+        ("CD: GOTOF EE\nEE:\nREPEAT CD P=2", "jumps or repeats"), ("DEF REAL V[3]=(1,2,3)\nDEF INT I, K\nFOR I=1 TO V[1]\nG1 X=I\nENDFOR", "V[3]"),
+        ("CASE R1 OF 1 GOTOF AA 2 GOTOF BB", "CASE"),
+    ],
+)  # fmt: skip
+def test_lines_of_siemens_that_are_not_run_are_one_error_and_no_move(line: str, reason: str) -> None:
+    """The rest of the program is read: no field and no loop refuses it."""
+    program = read(SIEMENS + f"G1 Y1\n{line}\nY2\nM30\n", "siemens840d")
+    (found,) = [one for one in program.findings if one.severity is Severity.ERROR]
+    assert found.code == "macro-not-interpreted" and reason in found.text
+    assert path(program)[0] == "f 0 1 20" and path(program)[-1].endswith(" 2 20")
+
+
+def test_m99_of_the_main_program_goes_on_at_its_block() -> None:
+    onward = read(ISO + "M99 P100\nG1 X5.\nN100 G1 X9.\nX8.\nM30\n", "fanuc")
+    assert path(onward) == ["f 9 0 20", "f 8 0 20"] and codes_of(onward) == {}
+    again = read(ISO + "N100 G1 X9.\n/M99 P100\nX8.\nM30\n", "fanuc")
+    assert path(again) == ["f 9 0 20"]
+    nowhere = read(ISO + "M99 P100\nG1 X5.\nM30\n", "fanuc")
+    assert errors(nowhere) == ["call-not-interpreted"]
+
+
+def test_a_call_of_mach3_says_by_q_how_often() -> None:
+    text = ISO + "M98 P1000 Q2\nM30\nO1000\nG91\nG1 X5.\nG90\nM99\n"
+    assert path(read(text, "mach3")) == ["f 5 0 20", "f 10 0 20"]
+    assert "call-not-interpreted" in errors(read(text, "fanuc"))
+
+
+def test_a_slash_between_words_switches_the_rest_off_and_is_read() -> None:
+    program = read(ISO + "G1 X5. /2 Y3.\n/X6.\nX[10/2]\n#1=8/2\nX#1\nM30\n", "fanuc")
+    assert path(program) == ["f 5 3 20", "f 6 3 20", "f 5 3 20", "f 4 3 20"] and errors(program) == []
+    assert [(one.code, one.line) for one in program.findings] == [("block-skip", 4), ("block-skip", 3)]
+    numbered = read(SIEMENS + "N10 /G1 X7\nR1=4\nX=R1/2\nM30\n", "siemens840d")
+    assert path(numbered) == ["f 7 0 20", "f 2 0 20"]
+
+
+def test_lines_for_the_control_of_grbl_are_no_blocks() -> None:
+    text = "$X\n$H\nG1 X5\n$H\nG0 Z5\nX1 Y2 Z5 A0 C0\nG1 Z1\n$100=80\n$J=G91 X5 F9\n$G\nX4\nM30\n"
+    program = read(ISO + text, "grbl")
+    assert codes_of(program) == {"unknown-code": 10, "machine-position": 4}
+    assert path(program)[0] == "f 5 0 20" and path(program)[-2:] == ["f 1 2 1", "f 4 2 1"]
+    assert "$H" in str([one.text for one in program.findings])
+    assert codes_of(read("$H\n$X\n" + ISO + "G1 X5\nM30\n", "grbl")) == {}
+
+
+def test_two_slashes_are_a_comment_of_mach3() -> None:
+    program = read(ISO + "//G1 X9\nG1 X5 // hi, (a\nX6\nM30\n", "mach3")
+    assert path(program) == ["f 5 0 20", "f 6 0 20"] and program.findings == ()
+
+
+@pytest.mark.parametrize(
+    ("controller", "lines", "code"),
+    [
+        ("fanuc", "G112\nG1 X10.\nG113", "polar"), ("linuxcnc", "G7\nG1 X10.\nG8", "offset"), ("fanuc", "G68 X0 Y0 R9.\nG1 X10.\nG69", "offset"),
+        ("linuxcnc", "G10 L2 P1 R9\nG1 X10", "offset"),
+    ],
+)  # fmt: skip
+def test_what_changes_the_meaning_of_x_is_one_error(controller: str, lines: str, code: str) -> None:
+    program = read(f"{ISO}{lines}\nM30\n", controller)
+    assert codes_of(program) == {f"{code}-not-interpreted": 3} and path(program)[-1] == "f 10 0 20"
+
+
+def test_what_klartext_writes_and_strings_move_nothing() -> None:
+    text = (
+        'FN 14: ERROR = 1000\nFN 16: F-PRINT A.A / B.B\nFN 26: TABOPEN X\nQS1 = "A Q5"\nQ2 = 3\nL X+Q2 F100\n'
+    )
+    text += 'DECLARE STRING QS3 = "Q7"\nQ2 = TONUMB ( SRC_QS1 )\nQS2 = QS1 || "b"\nL Y+1\n'
+    program = read(KLARTEXT + text + "END PGM A MM\n", "heidenhain")
+    assert codes_of(program) == {} and path(program) == ["f 3 0 20", "f 3 1 20"]
+    unknown = read(KLARTEXT + text + "L X+Q2\nEND PGM A MM\n", "heidenhain")
+    assert errors(unknown) == ["macro-not-interpreted"] and "Q2 was never set" in str(unknown.findings)
+
+
+def test_a_parameter_is_shown_as_it_is_and_without_noise() -> None:
+    text = "Q1 = 0.1\nQ1 = Q1 + 0.2\nL X+Q1 F100\nFOO X-Q1\nQ2 = 100\nL Y+Q2\nEND PGM A MM\n"
+    program = read(KLARTEXT + text, "heidenhain")
+    assert "FOO X-0.3 " in str([one.text for one in program.findings]) and path(program)[-1] == "f 0.3 100 20"
+
+
+def test_an_arc_of_fanuc_goes_round_as_often_as_l_says() -> None:
+    """B-63324EN, 4.8: L is the count of turns, K the height of one."""
+    arc = ISO + "G2 X10. Y0 Z-10. I5. J0 {} F100.\nM30\n"
+    way = np.hypot(2.5 * 10 * np.pi, 30)
+    for word in ("L3", "K12. L3"):
+        program = read(arc.format(word), "fanuc")
+        assert codes_of(program) == {} and length(program) == pytest.approx(way, abs=0.05)
+    assert length(read(arc.format("L1"), "fanuc")) == pytest.approx(np.hypot(5 * np.pi, 30), abs=0.05)
+
+
+def test_a_height_for_each_turn_that_an_arc_has_not_is_an_error() -> None:
+    """Posts tell it for a turn or for a radian; K under G17 without a height is a lathe's program, without its G18."""
+    arc = ISO + "G2 X10. Y0 Z-10. I5. J0 {} F100.\nM30\n"
+    for word in ("K12.", "K0.5", "K-3.3333"):
+        for controller in ("fanuc", "linuxcnc"):
+            program = read(arc.format(word), controller)
+            assert codes_of(program) == {"arc-not-interpreted": 3} and "G18" in str(program.findings)
+    for word in ("K0", "K60.", "K-60.0", "K9.549", ""):
+        assert codes_of(read(arc.format(word), "fanuc")) == {}
+    turn = {"G17": "X10. Y0 I5. J0 K5.", "G18": "X10. Z20. I5. J5. K0", "G19": "Y10. Z20. I5. J5. K0"}
+    for plane, words in turn.items():
+        assert errors(read(f"{ISO}{plane} G3 {words}\nM30\n", "fanuc")) == ["arc-not-interpreted"]
+
+
+@pytest.mark.parametrize(
+    ("controller", "lines", "code", "end"),
+    [
+        ("haas", "G84.2 X5. Z-5. R1.\nX6.\nG80", "cycle", "r 0 0 20"), ("haas", "G174 X5. Z-5. S100", "cycle", "r 0 0 20"), ("haas", "G77 X5. Z-5. R1.", "cycle", "r 0 0 20"),
+        ("fanuc", "G2.2 X9. I1. J0\nX7.", "arc", "f 7 0 20"), ("fanuc", "G3.4 X9. I1. J0\nX7.", "arc", "f 7 0 20"),
+    ],
+)  # fmt: skip
+def test_curves_and_threads_of_other_forms_are_no_rapids(
+    controller: str, lines: str, code: str, end: str
+) -> None:
+    program = read(f"{ISO}{lines}\nG0 Z21.\nM30\n", controller)
+    assert errors(program) == [f"{code}-not-interpreted"] and path(program)[-1].endswith(" 21")
+    assert path(program)[-2:-1] == ([end] if code == "arc" else [])
+
+
+def test_a_return_by_g29_is_a_machine_position() -> None:
+    program = read(ISO + "G30 P2 X0\nG29 X5.\nG0 X6.\nG1 X7.\nM30\n", "fanuc")
+    assert codes_of(program) == {"machine-position": 3} and path(program) == ["r 6 0 20", "f 7 0 20"]
+
+
+def test_the_depth_of_a_peck_without_a_point_is_noted() -> None:
+    program = read(ISO + "G83 X5. Z-5. R1. Q2000\nG80\nM30\n", "fanuc")
+    (found,) = [one for one in program.findings if one.code == "no-decimal-point"]
+    assert found.line == 3 and "Q2000" in found.text
+
+
+DIN = "%A G71 *\nN10 G00 G40 G90 X+0 Y+0 Z+20 A+0 C+0*\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "end"),
+    [
+        ("N20 G98 L1*\nN30 G91 G01 X+5 F100*\nN40 G90*\nN50 L1,2*", "f 15 0 20"),
+        ("N20 L5,0*\nN25 G00 Z+5 M2*\nN30 G98 L5*\nN31 G01 X+5 F100*\nN40 G98 L0*", "r 5 0 5"),
+    ],
+)  # fmt: skip
+def test_din_iso_of_heidenhain_calls_its_labels(text: str, end: str) -> None:
+    program = read(f"{DIN}{text}\nN99 %A G71*\n", "heidenhain")
+    assert codes_of(program) == {} and path(program)[-1] == end
+
+
+def test_centres_of_din_iso_are_absolute_and_stay() -> None:
+    """A whole circle fits any centre: about one a radius aside it would be read without a word."""
+    text = "N20 G01 X+10 F100*\nN30 G02 X+10 Y+0 I+5 J+0*\nN40 G03 X+0*\nN50 G03 X+0 Y+0*\nN60 G91 G02 X+10 Y+0 I+5 J+0*"
+    program = read(f"{DIN}{text}\nN99 %A G71*\n", "heidenhain")
+    assert codes_of(program) == {} and length(program) == pytest.approx(10 + 30 * np.pi, abs=0.1)
+    assert (
+        program.words[:, 0].min() == pytest.approx(0.0, abs=1e-6) and program.words[:, 0].max() <= 10.0 + 1e-6
+    )
+
+
+@pytest.mark.parametrize(
+    ("lines", "code"),
+    [
+        ("N30 G80 A+30 B+0 C+0*", "offset"), ("N30 G73 G90 H+30*", "offset"), ("N30 G79*", "cycle"), ("N30 G83 P01 +2 P02 -20 P03 5*", "cycle"),
+        ("N30 G01 G41 X+1*", "compensation"), ("N30 G06 X+1 Y+0*", "arc"), ("N30 G05 X+1 Y+0*", "arc"),
+    ],
+)  # fmt: skip
+def test_what_din_iso_means_otherwise_is_an_error_and_turns_no_axis(lines: str, code: str) -> None:
+    program = read(f"{DIN}N20 G01 X+1 F100*\n{lines}\nN40 X+2*\nN99 %A G71*\n", "heidenhain")
+    assert codes_of(program) == {f"{code}-not-interpreted": 4}
+    assert program.words[-1].tolist() == [2, 0, 20, 0, 0]
+
+
+@pytest.mark.parametrize("line", ["WHILE Q1 < 3", "FOR Q1 = 1 TO 3", "ELSE", "END IF", "END WHILE"])
+def test_a_loop_or_branch_that_klartext_does_not_know_is_an_error(line: str) -> None:
+    program = read(f"{KLARTEXT}Q1 = 0\n{line}\nL X+1 F100\nEND PGM A MM\n", "heidenhain")
+    assert codes_of(program) == {"macro-not-interpreted": 4}
+
+
+def test_values_of_siemens_are_worked_out_without_any_variable() -> None:
+    text = 'G1 X=5+3 Y=(2+3)*2 F=100*2\nX=-(3) Y=5-1\nX=IC(2*3) Y=AC(-3+1)\nMSG("a=(b)")\nC=DC(90+10)\nZ=SIN(90)\n'
+    program = read(SIEMENS + text + "M30\n", "siemens840d")
+    assert codes_of(program) == {} and path(program) == [
+        "f 8 10 20",
+        "f -3 4 20",
+        "f 3 -2 20",
+        "f 3 -2 20",
+        "f 3 -2 1",
+    ]
+    assert (program.feed[1:] == 200).all() and program.words[-1, 3] == 100
+
+
+def test_a_limit_of_the_speed_is_no_shift() -> None:
+    assert codes_of(read(ISO + "G92 S3000\nG1 X5.\nM30\n", "fanuc")) == {}
+    assert errors(read(ISO + "G92 X0 S3000\nG1 X5.\nM30\n", "fanuc")) == ["offset-not-interpreted"]

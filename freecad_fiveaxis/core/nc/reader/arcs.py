@@ -29,6 +29,8 @@ AXES = np.array([[0, 1, 2], [2, 0, 1], [1, 2, 0]])
 """By plane: the two axes of the circle, right-handed about the third."""
 MOST = 5_000_000
 """Chords of a whole program: more would fill the memory."""
+HEIGHT_MISMATCH = 0.05
+"""Share of the height of an arc by which that told for its turn may differ: posts round it to few digits."""
 FULL = 1e-7
 """rad; an arc that ends where it begins is a full circle."""
 
@@ -79,6 +81,7 @@ def divide_arcs(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> t
     a0, a1 = (np.arctan2(*(place - centre)[::-1]) for place in (start, end))
     turn = np.where(arcs.counter, 1.0, -1.0)
     sweep[good] = _sweep((turn * (a1 - a0))[good])
+    unlike = good & _differs_in_height(arcs, sweep, before, programmed)
     if arcs.turns is not None:
         sweep[good] += 2.0 * np.pi * np.nan_to_num(arcs.turns[good])
     step = 2.0 * np.arccos(1.0 - np.minimum(ARC_TOLERANCE / np.maximum(r0[good], r1[good]), 1.0))
@@ -105,13 +108,25 @@ def divide_arcs(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> t
     chords.programmed[at, u[arc]] = centre[0, arc] + radius * np.cos(angle)
     chords.programmed[at, v[arc]] = centre[1, arc] + radius * np.sin(angle)
     _chain(chords, pieces)
-    return chords, _findings(arcs, good, line)
+    return chords, [*_findings(arcs, good, line), *_report_heights(arcs, unlike, line)]
 
 
 def _sweep(angle: Floats) -> Floats:
     """Angles in (0, 2 pi]."""
     sweep = np.mod(angle, 2.0 * np.pi)
     return np.where((sweep < FULL) | (sweep > 2.0 * np.pi - FULL), 2.0 * np.pi, sweep)
+
+
+def _differs_in_height(arcs: Arcs, sweep: Floats, before: Floats, programmed: Floats) -> Bools:
+    """Whether arcs (n,) tell by a word across their plane another height for each turn, or for each radian,
+    than they have, and no turns."""
+    rows, across = np.arange(len(arcs.row)), AXES[arcs.plane, 2]
+    given = np.abs(np.nan_to_num(arcs.offset[rows, across]))
+    height = np.abs(programmed[arcs.row, across] - before[arcs.row, across])
+    near = HEIGHT_MISMATCH * height + ARC_TOLERANCE * 10.0
+    fits = (np.abs(given * sweep - height) <= near) | (np.abs(given * sweep / (2.0 * np.pi) - height) <= near)
+    turned = np.zeros(len(rows), np.bool_) if arcs.turns is None else ~np.isnan(arcs.turns)
+    return np.asarray((given > 0.0) & ~fits & ~turned & ~arcs.absolute)
 
 
 def _of(row: Ints, chosen: Bools, count: int) -> Bools:
@@ -167,3 +182,16 @@ def _findings(arcs: Arcs, good: Bools, line: Ints) -> list[Finding]:
         count=len(bad),
     )
     return [report_finding(Code.ARC_WITHOUT_CENTRE, text, float(len(bad)), line=int(line[arcs.row[bad[0]]]))]
+
+
+def _report_heights(arcs: Arcs, unlike: Bools, line: Ints) -> list[Finding]:
+    at = np.flatnonzero(unlike)
+    if not len(at):
+        return []
+    text = say(
+        "{count} arcs tell by I, J or K across their plane a height for each turn that is not theirs: they "
+        "are taken without more turns than one. Give the plane (G17, G18, G19), or post helices turn by "
+        "turn.",
+        count=len(at),
+    )
+    return [report_finding(Code.ARC_NOT_INTERPRETED, text, float(len(at)), line=int(line[arcs.row[at[0]]]))]

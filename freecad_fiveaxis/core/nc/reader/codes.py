@@ -20,11 +20,13 @@ from freecad_fiveaxis.core.base.sentences import say
 NONE, RAPID, STRAIGHT, ARC, CYCLE, SPLINE_MODE = -1, 0, 1, 2, 3, 4
 """Motion modes. NONE: no motion code so far, or after G80."""
 CLOCKWISE, COUNTER = 20, 30
-CYCLES = (*range(730, 780, 10), *range(810, 900, 10), 330, 331, 382, 383, 384, 385)
+CYCLES = (*range(730, 780, 10), *range(810, 900, 10), 842, 843, 330, 331, 382, 383, 384, 385)
 SPLINES = (50, 52, 62)
+CURVES = (21, 22, 23, 24, 31, 32, 33, 34)
+"""G2.1 to G3.4 of Fanuc: threads, involutes, exponential and three-dimensional arcs."""
 MOTION = {
     0: RAPID, 10: STRAIGHT, 800: NONE, 20: ARC, 30: ARC, **dict.fromkeys(SPLINES, SPLINE_MODE),
-    **dict.fromkeys(CYCLES, CYCLE),
+    **dict.fromkeys(CYCLES, CYCLE), **dict.fromkeys(CURVES, SPLINE_MODE),
 }  # fmt: skip
 DISTANCE = {900: 0, 910: 1}
 CENTRES = {911: 0, 901: 1}
@@ -42,12 +44,13 @@ DYNAMIC = (2540, 2550)
 """G254 and G255 of Haas: the dynamic work offset, on and off (:mod:`.dynamic_offset`)."""
 KINEMATICS = (121, 131)
 """G12.1 and G13.1 of LinuxCNC: the switch of kinematics (:mod:`.kinematics_switch`)."""
+PRESET_ZERO = 920
 LOCAL = 520
 """G52: the zero of the local coordinate system."""
 DATUM = 540
 """G54 of Heidenhain's DIN/ISO: a datum shift."""
 NO_MOVE = (
-    71, 100, 109, 120, 130, 220, 270, 280, 281, 300, 301, 310, 350, 360, 370, 431, 432, 470, 501, 510,
+    71, 100, 109, 120, 130, 220, 270, 280, 281, 290, 300, 301, 310, 350, 360, 370, 431, 432, 470, 501, 510,
     511, 520, 530, 531, 650, 660, 661, 680, 682, 683, 684, 920, 921, 922, 923, 1000, 1010, 1070, 1360,
     1500, 2680,
 )  # fmt: skip
@@ -61,7 +64,7 @@ GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
 VECTORS_ON = (435,)
 """I J K of straight blocks are the tool's direction."""
 HARMLESS = {
-    *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51,
+    *(MOTION.keys() - {*CYCLES, *SPLINES, *CURVES}), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51,
     80, 90, 150, 400,
     401, 430, 440, 490, 431, 432, 500, 610, 611, 620, 640, 670, 690, 960, 970, 980, 990, 53, 250, 260, 1030,
     1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT,
@@ -69,7 +72,18 @@ HARMLESS = {
 SIDES = (410, 411, 412, 414, 415, 416, 420, 421, 422, 424, 425, 426)
 """Cutter compensation; with D0 in the same line it moves nothing."""
 WORDS_IGNORED = "NOSMTHDPQLFG"
-WORDS_OF = {51: "R", 53: "R", 1870: "E", 250: "R", 260: "R", **dict.fromkeys(CYCLES, "R")}
+WORDS_OF = {
+    51: "R",
+    53: "R",
+    1870: "E",
+    250: "R",
+    260: "R",
+    100: "R",
+    680: "R",
+    3310: "K",
+    3320: "K",
+    **dict.fromkeys(CYCLES, "R"),
+}
 """Words that belong to a code in their line and are no places: the level of G5.1 Q1 R1 (Fanuc), the tolerance
 of G187 P3 E0.01 (Haas), the height R of a cycle, of which is said that it is not written out."""
 AXES = "XYZABCUVW"
@@ -201,16 +215,17 @@ CODES: dict[int, Kind] = {
     DWELL: DWELL_KIND,
     **dict.fromkeys(CYCLES, CYCLE_KIND),
     **dict.fromkeys(SPLINES, SPLINE),
+    **dict.fromkeys(CURVES, ARC_KIND),
     **dict.fromkeys((650, 660, 661), CALL),
     **dict.fromkeys((280, 281, 300, 301, 530), HOME),
     **dict.fromkeys(
         (100, 160, 501, 510, 511, 542, 543, 544, 680, 683, 684, 2530, 2680, 2690, 920, 921, 922, 923, 1000),
         SHIFT,
     ),
-    **dict.fromkeys((1010, 1430), SHIFT),
+    **dict.fromkeys((70, 1010, 1430), SHIFT),
     **dict.fromkeys((71, 1070), POLAR),
     **dict.fromkeys((120, 130, 310, 350, 360, 370, 470, 1360, 1500), CYCLE_KIND),
-    270: HOME,
+    **dict.fromkeys((270, 290), HOME),
     **dict.fromkeys(SIDES, RADIUS),
     950: PER_TURN_KIND,
 }
@@ -254,6 +269,7 @@ _SIEMENS_OWN = {
     700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0,
     6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
+    **dict.fromkeys((2470, 2480, 3470, 3480, 1400, 1410, 1420, 1430, 3400, 3410), 0),
 }  # fmt: skip
 FEED_GROUPS = tuple(range(90000, 95000, 10))
 """Private codes, G9000 to G9499: over which axes F is measured (:mod:`.feed_groups`)."""
@@ -261,6 +277,8 @@ WITHOUT_OFFSET = 5000
 """G500 of Siemens: no settable zero offset is on."""
 POLES = (1100, 1110, 1120)
 """G110 to G112 of Siemens: poles, whose axis words move nothing."""
+TAPPING = (3310, 3320)
+"""G331 and G332 of Siemens: a thread cut without a cycle, in and out, whose Z follows the spindle."""
 _SIEMENS_OFFSETS = (540, 550, 560, 570, *range(5050, 6000, 10))
 SIEMENS = Grammar(
     "siemens",
@@ -270,7 +288,7 @@ SIEMENS = Grammar(
         {*HARMLESS, *_SIEMENS_OWN, *_SIEMENS_OFFSETS, *FEED_GROUPS} - {490, 434, 435, 2340, 2341, *TILT}
     ),
     {
-        **dict.fromkeys((330, 331, 332, 340, 350, 630), CYCLE_KIND),
+        **dict.fromkeys((330, 331, 332, 340, 350, 630, *TAPPING), CYCLE_KIND),
         **dict.fromkeys((530, 740, 750, 1530), HOME),
         **dict.fromkeys((*POLES, 580, 590), SHIFT),
         **dict.fromkeys((410, 420), RADIUS),
@@ -281,10 +299,11 @@ SIEMENS = Grammar(
     ends=(2, 17, 30),
     dwell="FS",
     offsets=_SIEMENS_OFFSETS,
-    no_move=(530, 740, 750, 1530, *POLES),
+    no_move=(530, 580, 590, 740, 750, 1530, *POLES),
     motion={
-        code: mode for code, mode in MOTION.items() if code not in (740, 750)
-    },  # fixed points, in their line alone
+        **{code: mode for code, mode in MOTION.items() if code not in (740, 750)},
+        **dict.fromkeys(TAPPING, CYCLE),
+    },  # G74 and G75: fixed points, in their line alone
 )
 HEIDENHAIN = Grammar(
     "heidenhain",
@@ -295,14 +314,20 @@ HEIDENHAIN = Grammar(
         530: SHIFT,
         DWELL: DWELL_KIND,
         **dict.fromkeys((100, 110, 120, 130, 150, 160), POLAR),
-        **dict.fromkeys((280, 720), SHIFT),
-        **dict.fromkeys((240, 250, 260, 270), ARC_KIND),
-    },  # of DIN/ISO: polar moves, mirror and scale, chamfers, roundings and ways in and out
+        **dict.fromkeys((280, 720, 730), SHIFT),
+        **dict.fromkeys((50, 60, 240, 250, 260, 270), ARC_KIND),
+        **dict.fromkeys((*range(740, 800, 10), 830, 840, 850, 860), CYCLE_KIND),
+        **dict.fromkeys((410, 420), RADIUS),
+    },  # of DIN/ISO: polar moves, mirror, scale and turn, arcs, chamfers, ways in and out, cycles, their call
     {89: CYCLE_KIND, 99: CYCLE_KIND, 91: HOME, 92: HOME, 114: SPATIAL, 130: SHIFT, 144: SHIFT},
     ends=(2, 30),
     inch_feed=0.1 * INCH,
     dwell="FPXU",
     no_move=(*NO_MOVE, DATUM),
+    motion={
+        code: mode for code, mode in MOTION.items() if mode is not CYCLE and code not in (50, 52, 62, 800)
+    }
+    | {50: SPLINE_MODE, 60: SPLINE_MODE},
     guide_m={128: 1, 129: 0},
     machine_m=(91, 92),
 )

@@ -4,9 +4,12 @@
 haas      G110 to G129 are work offsets, G70 to G72 circles and rows of holes (NGC mill operator's manual).
 fanuc     G43.1 is a length along the tool's axis, in whose lines X Y Z move (B-63324EN, tool length
           compensation in tool axis direction); elsewhere its words are the length itself (LinuxCNC, grbl).
+          G112 is another name of G12.1, polar coordinates (B-64304EN, G code list), where Haas' mills have a
+          work offset.
 grbl      F in a program in inches is made mm a minute whatever moves (gcode.c of grbl-Mega-5X), so that of
           rotary axes alone is 25.4 times as many degrees.
-turns     LinuxCNC's P of G2 and G3: an arc of P turns, P1 where none is told; grblHAL has it from there.
+turns     LinuxCNC's P of G2 and G3: an arc of P turns, P1 where none is told; grblHAL has it from there. L of
+          Fanuc's spiral and conical interpolation, where the radius stays (B-63324EN, 4.8).
 """
 
 from __future__ import annotations
@@ -24,8 +27,11 @@ from .noted import kind_findings
 from .words import Words
 
 HOLES = (700, 710, 720)
+TAPS = (770, 1740, 1840)
+"""G77 back boring and G174, G184, threads along a tilted tool, of Haas."""
 NUMBERED = tuple(range(1100, 1300, 10))
 ALONG_AXIS = 431
+POLAR_ON, POLAR_OFF = 1120, 1130
 TURNING = ("linuxcnc", "grbl", "")
 """Controllers whose arcs have turns; "": nobody has said which."""
 OTHER_P = (41, 51, 100, 434, 435, 541, 640, 960, 1540, 1870, 2340)
@@ -40,29 +46,33 @@ def grammar_of(language: str, controller: str) -> Grammar:
         return grammar
     if controller == "haas":
         return replace(
-            grammar, codes={**grammar.codes, **dict.fromkeys(HOLES, codes.CYCLE_KIND)},
+            grammar, codes={**grammar.codes, **dict.fromkeys((*HOLES, *TAPS), codes.CYCLE_KIND)},
             harmless=grammar.harmless | frozenset(NUMBERED), offsets=grammar.offsets + NUMBERED,
-            no_move=grammar.no_move + HOLES,
+            no_move=grammar.no_move + HOLES + TAPS,
         )  # fmt: skip
     if controller == "grbl":
         return replace(grammar, inch_degrees=False)
     if controller == "fanuc":
         no_move = tuple(code for code in grammar.no_move if code != ALONG_AXIS)
-        return replace(grammar, codes={**grammar.codes, ALONG_AXIS: codes.SHIFT}, no_move=no_move)
+        own = {ALONG_AXIS: codes.SHIFT, POLAR_ON: codes.POLAR}
+        return replace(
+            grammar, codes={**grammar.codes, **own}, no_move=no_move, harmless=grammar.harmless | {POLAR_OFF}
+        )
     return grammar
 
 
 def turn_arcs(
     words: Words, lines: Lines, grammar: Grammar, controller: str = ""
 ) -> tuple[Words, list[Finding]]:
-    """Return the words with the turns of arcs (P) as the private word for those besides; without any, the
-    same object."""
-    if grammar.name != "iso" or controller not in TURNING or "P" not in lines.letters:
+    """Return the words with the turns of arcs (P, L of Fanuc) as the private word for those besides; without
+    any, the same object."""
+    count = "P" if controller in TURNING else "L" if controller == "fanuc" else ""
+    if grammar.name != "iso" or not count or count not in lines.letters:
         return words, []
     arc = lines.mode(grammar.motion, codes.NONE) == codes.ARC
     arc &= ~np.isnan(lines.columns("IJKR")).all(axis=1) & ~lines.any_of(OTHER_P)
     arc[lines.m_line(M_WITH_P)] = False
-    at = np.flatnonzero((words.letter == ord("P")) & arc[words.line])
+    at = np.flatnonzero((words.letter == ord(count)) & arc[words.line])
     if not len(at):
         return words, []
     letter, value = words.letter.copy(), words.value.copy()

@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
 from . import codes
 from .codes import Grammar
 from .corners import LETTER
+from .cycle_plan import PECKING
 from .lines import Lines, tenfold
 from .noted import MOST, kind_findings
 from .positions import ABSOLUTE, Moves, find_wraps
@@ -142,6 +143,7 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
         keep = inside | ~np.isin(number, retract)
         if letter == "G":
             keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
+            keep &= ~((number == codes.PRESET_ZERO) & np.isin(words.line[at], _limiting_speed(words)))
         at, number = at[keep], number[keep]
         met: dict[codes.Kind, dict[str, tuple[int, int]]] = {}
         for value, first, count in zip(
@@ -163,20 +165,26 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
                 )
                 found.append(report_finding(Code.UNKNOWN_CODE, text, float(count), line=line))
         known += [one for kind, named in met.items() for one in kind_findings(kind, named)]
-    return found, known + _report_machine_words(words, ends)
+    return found, known + _report_machine_words(words, ends, "$H" if grammar.name == "iso" else "SUPA")
 
 
-def _report_machine_words(words: Words, ends: tuple[int, int]) -> list[Finding]:
-    """Report the machine positions that a word tells (SUPA of Siemens) between the first block and the last,
-    as :func:`code_findings` does those of codes."""
+def _report_machine_words(words: Words, ends: tuple[int, int], name: str) -> list[Finding]:
+    """Report the machine positions that a word of that name tells (SUPA of Siemens) between the first block
+    and the last, as :func:`code_findings` does those of codes."""
     at = np.flatnonzero(words.letter == ord(codes.MACHINE))
     line = words.in_file(words.line[at[(words.line[at] >= ends[0]) & (words.line[at] <= ends[1])]])
-    return kind_findings(codes.HOME, {"SUPA": (int(line[0]), len(line))}) if len(line) else []
+    return kind_findings(codes.HOME, {name: (int(line[0]), len(line))}) if len(line) else []
 
 
 def _without_radius(words: Words) -> Ints:
     """Return the lines with D0: a compensation by nothing."""
     return np.asarray(words.line[(words.letter == ord("D")) & (words.value == 0.0)])
+
+
+def _limiting_speed(words: Words) -> Ints:
+    """Return the lines with S and no axis: there G92 limits the speed of the spindle."""
+    axes = words.line[np.isin(words.letter, [ord(letter) for letter in codes.AXES])]
+    return np.setdiff1d(words.line[words.letter == ord("S")], axes)
 
 
 def _numbers(value: Floats, letter: str) -> Ints:
@@ -333,9 +341,10 @@ def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
 
 
 def point_findings(lines: Lines) -> tuple[Finding, ...]:
-    """How many words of axes have no decimal point, and are not 0."""
+    """How many words of axes and depths of pecks have no decimal point, and are not 0."""
     words = lines.words
     counted = np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & ~_belonging(lines)
+    counted |= (words.letter == ord(codes.PECK)) & lines.any_of(PECKING)[words.line]
     at = np.flatnonzero(words.bare() & counted & (words.value != 0.0))
     if not len(at):
         return ()

@@ -67,6 +67,8 @@ NORMAL = re.compile(rb"(?<![A-Z])N[XYZ] *[-+]? *[0-9]*\.?[0-9]+\.?")
 PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
 
 PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"))
+QUIET = re.compile(rb"FN *(?:14|15|16|19|20|26|27|29|37|38) *:|(?:DECLARE STRING )?QS[0-9]+ *=")
+"""Functions that write, show, wait or stop, and settings of strings: none moves an axis."""
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32",
     b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"SECTION MONITORING",
@@ -87,6 +89,8 @@ KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
     (b"CYCL", codes.CYCLE_KIND), (b"TCH PROBE", codes.CYCLE_KIND),
     (b"PATTERN", codes.CYCLE_KIND),
     (b"CALL", codes.CALL), (b"SEL", codes.CALL), (b"FN", codes.MACRO), (b"IF", codes.MACRO),
+    (b"ELSE", codes.MACRO), (b"WHILE", codes.MACRO), (b"FOR", codes.MACRO), (b"END IF", codes.MACRO),
+    (b"END WHILE", codes.MACRO), (b"END FOR", codes.MACRO),
     (b"DECLARE", codes.MACRO),
     (b"RND", codes.ARC_KIND), (b"CHF", codes.ARC_KIND), (b"APPR", codes.ARC_KIND), (b"DEP", codes.ARC_KIND),
     (b"CT", codes.ARC_KIND),
@@ -226,7 +230,7 @@ def _word_of(line: bytes) -> bytes | None:
         return b"t0"
     if line.startswith(b"FUNCTION TCPM") and b"AXIS SPAT" not in line:
         return b"t1"
-    return b"" if line.startswith(HARMLESS) else None
+    return b"" if line.startswith(HARMLESS) or QUIET.match(line) else None
 
 
 def _note_function(line: bytes, at: int, notes: Notes) -> None:

@@ -53,9 +53,11 @@ OTHER_CYCLE = re.compile(r"CYCLDEF([0-9]+)")
 CALLED = re.compile(r"M0*99(?![0-9])")
 CYCLE_WORD = re.compile(rf"Q([0-9]+)=([-+]?(?:{NUMBER.pattern}))")
 WORD = re.compile(r"(?<![A-Z0-9])([A-Z]+) *([-+]?) *Q([LR]?[0-9]+)(?! *=)")
-NO_WORDS = ("TOOL", "BLK", "FN", "CALL", "SEL", "TCH", "PATTERN", "FUNCTION", "STOP")
+NO_WORDS = ("TOOL", "BLK", "FN", "CALL", "SEL", "TCH", "PATTERN", "FUNCTION", "STOP", "QS", "DECLARE")
 """How lines begin whose parameters lead no axis."""
 SETS_UNKNOWN = re.compile(r"FN.*Q[LR]?[0-9]+=|Q[LR]?[0-9]+=")
+OF_STRING = re.compile(r"TONUMB|INSTR|STRLEN|STRCOMP|SYSSTR|SRC_|QS[0-9]")
+"""A value that is read from a string: not known from there on."""
 FEED = re.compile(r"(?<![A-Z])F *([0-9]+\.?[0-9]*)")
 RELATIONS: dict[str, Callable[[float, float], bool]] = {
     "EQU": operator.eq, "NE": operator.ne, "GT": operator.gt, "LT": operator.lt,
@@ -99,6 +101,11 @@ class Section:
 
     back: int
     left: int = -1
+
+
+def _write(value: float, sign: str = "") -> str:
+    """Return a number without the zeros behind it that say nothing."""
+    return f"{value:{sign}.10f}".rstrip("0").rstrip(".")
 
 
 class Run:
@@ -155,7 +162,7 @@ class Run:
     def _step(self, line: str) -> int:
         """Run one line; the next one."""
         if found := SETS.fullmatch(line):
-            self.known[found[1]] = self._value(found[2])
+            self._set(found[1], found[2])
         elif found := JUMP.fullmatch(line):
             if RELATIONS[found[3]](self._value(found[2]), self._value(found[4])):
                 return self._label(found[5])
@@ -168,6 +175,13 @@ class Run:
         else:
             self._block(line)
         return self.at + 1
+
+    def _set(self, name: str, value: str) -> None:
+        """Set a parameter, or forget it where its value comes from a string."""
+        if OF_STRING.search(value):
+            self.known.pop(name, None)
+        else:
+            self.known[name] = self._value(value)
 
     def _label(self, name: str) -> int:
         if name not in self.labels or name == "0":
@@ -212,9 +226,7 @@ class Run:
         value = self._read_parameter(name)
         if not abs(value) < LARGEST:
             raise Unread(say("a value beyond all words"))
-        return (
-            f"{letter}{value:.10f}" if letter == "F" else f"{letter}{-value if sign == '-' else value:+.10f}"
-        )
+        return letter + (_write(value) if letter == "F" else _write(-value if sign == "-" else value, "+"))
 
     def _read_parameter(self, name: str) -> float:
         if name not in self.known:

@@ -247,22 +247,11 @@ class Run:
         what.set(self.known)
         if what.calls == "M99":
             return self._back(values)
+        if "Q" in values and not (self.fanuc or macro or "L" in values):
+            values["L"] = values.pop("Q")  # Mach3's other word for how often
         if "P" not in values or values["P"] is None or ("Q" in values and not macro):
             raise Unread(say("a call that does not say what by P alone"))
-        program, times = self._count(values["P"]), self._count(values.get("L", 1.0))
-        if what.calls == "M97":
-            head = self.flow.find_line(program, self.at)
-        else:
-            if program not in self.flow.heads and program > 9999 and "L" not in values:
-                program, times = program % 10000, program // 10000
-            if program not in self.flow.heads:
-                raise Unread(
-                    say(
-                        "program O{program} is not in this file; put it there, behind what calls it",
-                        program=str(program),
-                    )
-                )
-            head = self.flow.heads[program] + 1
+        head, times = self._find_called(self._count(values["P"]), values.get("L"), what.calls == "M97")
         if not times:
             return self.at + 1
         frame = Frame(self.at + 1, head, times - 1, macro=macro)
@@ -270,6 +259,23 @@ class Run:
             given = {ARGUMENTS[letter]: value for letter, value in values.items() if letter in ARGUMENTS}
             return self._enter(frame, given)
         return self._push(frame)
+
+    def _find_called(self, program: int, count: Value, in_here: bool) -> tuple[int, int]:
+        """Return the line where what is called begins, ``in_here`` by its block number, and how often it
+        runs: ``count``, or the digits before the last four of its number."""
+        times = 1 if count is None else self._count(count)
+        if in_here:
+            return self.flow.find_line(program, self.at), times
+        if program not in self.flow.heads and program > 9999 and count is None:
+            program, times = program % 10000, program // 10000
+        if program not in self.flow.heads:
+            raise Unread(
+                say(
+                    "program O{program} is not in this file; put it there, behind what calls it",
+                    program=str(program),
+                )
+            )
+        return self.flow.heads[program] + 1, times
 
     def _enter(self, frame: Frame, given: dict[int, Value]) -> int:
         """Into a call with variables of its own."""
@@ -283,9 +289,12 @@ class Run:
         return frame.head
 
     def _back(self, values: dict[str, Value]) -> int:
-        """M99: once more, or back behind the call, or to the caller's N of its P; in the main program the
-        end."""
+        """M99: once more, or back behind the call, or to the caller's N of its P; in the main program on to N
+        of its P, or the end: from the start, or from a line before, the same comes again."""
         if len(self.frames) == 1:
+            line = self.flow.find_line(self._count(values["P"]), self.at) if "P" in values else -1
+            if line > self.at:
+                return line
             self.output.append((self.at, "M99"))
             self.ended = True
             return self.at

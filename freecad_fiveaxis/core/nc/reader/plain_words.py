@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import Template, say
 
-from . import codes, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
+from . import codes, din_iso, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
 from .feed_groups import FeedGroup
 from .heidenhain_polar import without_polar
 from .noted import Notes
@@ -63,13 +63,14 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     if not (
         calls
         or siemens_run.SIGN.search(text)
+        or siemens_run.EXPRESSION.search(text)
         or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)
     ):
         return _with_findings(text, read, notes, None, [])
     notes, called = Notes(), text
     text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
     source, refused = None, list[Finding]()
-    if calls or siemens_run.MARK.search(text):
+    if calls or siemens_run.MARK.search(text) or siemens_run.EXPRESSION.search(text):
         run = interpreter.run_program(text, False, progress, siemens=called, search=of_machine.search)
         if isinstance(run, interpreter.Written):
             text, source = run.text, run.source
@@ -81,6 +82,7 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     source, refused, cause, notes = None, list[Finding](), None, Notes()
+    text = din_iso.with_labels(text)
     if heidenhain_run.has_parameters(text):
         run = heidenhain_run.run_heidenhain(text, progress, of_machine)
         if isinstance(run, interpreter.Written):
@@ -88,7 +90,7 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
         else:
             cause = not_run(run)
             refused = [cause]
-    text = without_polar(heidenhain.join_lines(text))
+    text = din_iso.with_own_words(without_polar(heidenhain.join_lines(text)), notes)
     return replace(_with_findings(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 

@@ -34,7 +34,7 @@ ALONE = re.compile(
 """A line of nothing but a name: a subprogram, where it is no known word."""
 ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
-    rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) "
+    rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|FP|SF|TOFFR|FGREF\[[A-Z]\]) "
     rb"*=" + NUMBER
 )
 AXIS_BY_NUMBER = re.compile(rb"(?<![A-Z0-9_$])([XYZABC]1) *=" + NUMBER)
@@ -45,6 +45,10 @@ SPINDLE_OR_DRIVE = re.compile(
     rb" *(?:(?:AC|IC|DC|ACP|ACN) *\(" + NUMBER + rb"\)|" + NUMBER.replace(b"(", b"(?:") + rb")"
 )
 """Where a spindle stops, and limits of drives and of positioning axes: neither place nor F of a block."""
+LENGTH = re.compile(rb"(?<![A-Z0-9_$])(TOFFL?)(?:\[[A-Z1-3]\])? *=" + NUMBER)
+"""A change of the tool's length on top of the table's, which moves the tip."""
+FRAME = re.compile(rb"(?<![A-Z0-9_$])(A?SCALE|A?MIRROR|A?ROTS)(?![A-Z0-9_])[^\n]*")
+"""What scales, mirrors or turns the coordinates, in a block of its own, whose words are no move."""
 SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
 ROTATE = re.compile(rb"(?<![A-Z0-9_$])(A)?ROT(?![A-Z0-9_])")
 IN_THE_PLANE = re.compile(rb"(?<![A-Z0-9_$])RPL *=(?= *[-+.0-9])")
@@ -58,6 +62,19 @@ line goes with it."""
 KEYWORD = re.compile(rb"[A-Z_$][A-Z_$][A-Z0-9_$]*( *\([^()\n]*\)|" + VALUE + rb"| *=[^\n]*)?")
 LABEL = re.compile(rb"^( *(?:N[0-9]+ *)?)([A-Z_][A-Z_][A-Z0-9_]*:)", re.MULTILINE)
 
+STATEMENT = re.compile(
+    rb"^( *(?:N *[0-9]+ *)?)((DEF|DEFINE|FOR|CASE|PROC|IF|WHILE|UNTIL|SET|REPEATB?|GOTO[FBC]?)\b[^\n]*)",
+    re.MULTILINE,
+)
+"""A line of variables or jumps, whose words are none of a block."""
+STATEMENTS = (b"DEF", b"FOR", b"CASE", b"PROC", b"IF", b"WHILE", b"UNTIL", b"SET", b"REPEAT", b"GOTO")
+OWN_HEAD = re.compile(
+    rb"^ *(?:N *[0-9]+ *)?PROC +[A-Z_][A-Z0-9_]* *(?:\( *\))?"
+    rb"(?: +(?:SAVE|DISPLOF|DISPLON|SBLOF|SBLON|ACTBLOCNO))* *$",
+    re.MULTILINE,
+)
+"""The head of a subprogram that takes no values, and is read by itself."""
+OWN_END = re.compile(rb"^( *(?:N *[0-9]+ *)?)RET(?= *$)", re.MULTILINE)
 HARMLESS = frozenset(
     b"""TRAFOOF TRAORI ORIWKS ORIMKS ORIAXES ORIVECT ORIEULER ORIRPY ORIRPY2 ORIVIRT1 ORIVIRT2 ORIPLANE ORISON ORISOF
     FGROUP FFWON FFWOF SOFT BRISK DRIVE COMPON COMPOF COMPCURV COMPCAD COMPSURF STOPRE CYCLE832 MSG WORKPIECE CUT3DC CUT2D CUT2DF
@@ -66,7 +83,7 @@ HARMLESS = frozenset(
     EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
     SPCON SPCOF COMPPATH WALIMON WALIMOF CDON CDOF CDOF2 FENDNORM LFON LFOF SOFTA BRISKA DRIVEA ORIC ORID CPRECON
     CPRECOF TOROTOF CORROF DRFOF WAITP GET GETD RELEASE CLEARM SETM BLSYNC IPOBRKA
-    ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()  # noqa: E501
+    DISR DISRP DISCL DISC FAD OFFN ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()  # noqa: E501
 )
 SHIFTS = frozenset(
     b"DIAMON ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split()
@@ -99,7 +116,9 @@ WAYS = {
 def plain(text: bytes, notes: Notes) -> bytes:
     """Return the text, in capitals and without comments, as ISO words with the private letters; every line
     stays where it is."""
-    text = corners.mark_corners(shifts(without_strings(text)), siemens=True)
+    text = corners.mark_corners(shifts(_without_statements(without_strings(text), notes)), siemens=True)
+    if b"SCALE" in text or b"MIRROR" in text or b"ROTS" in text:
+        text = FRAME.sub(lambda found: _note_word(found, codes.SHIFT, found[1], notes), text)
     if b"FG" in text:
         text = feed_groups.WORD.sub(notes.feeds.word, text)
     text = ALONE.sub(lambda found: _alone(found, notes), text)
@@ -110,6 +129,17 @@ def plain(text: bytes, notes: Notes) -> bytes:
     return KEYWORD.sub(
         lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text
     )
+
+
+def _without_statements(text: bytes, notes: Notes) -> bytes:
+    """Leave out the head of a program, and lines of variables and jumps, which are noted."""
+    if b"PROC" in text:
+        text = OWN_HEAD.sub(_blank, text)
+    if b"RET" in text:
+        text = OWN_END.sub(rb"\1M17", text)
+    if not any(word in text for word in STATEMENTS):
+        return text
+    return STATEMENT.sub(lambda found: _leave_out(found, notes), text)
 
 
 def swivels(text: bytes, notes: Notes) -> bytes:
@@ -168,6 +198,8 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
         text = TURNS.sub(lambda found: codes.TURNS.encode().ljust(len(found[0])), text)
     text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
     text = SIDE.sub(_blank, SPINDLE_OR_DRIVE.sub(_blank, text))
+    if b"TOFF" in text:
+        text = LENGTH.sub(lambda found: _rewrite_length(found, notes), text)
     text = AXIS_BY_NUMBER.sub(lambda found: _axis_by_number(found, notes), text) if b"1" in text else text
     return ORIENTATION.sub(
         lambda found: _note_word(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text
@@ -179,6 +211,18 @@ def _axis_by_number(found: re.Match[bytes], notes: Notes) -> bytes:
     text, last = found.string, found.string.find(b"\n", found.end())
     line = text[text.rfind(b"\n", 0, found.start()) + 1 : last if last >= 0 else None]
     return _blank(found) if FIXED_POINT.search(line) else _note_word(found, codes.OTHER_AXIS, found[1], notes)
+
+
+def _leave_out(found: re.Match[bytes], notes: Notes) -> bytes:
+    """Leave out a line of variables or jumps, which is noted."""
+    notes.note(codes.MACRO, found[3].decode("latin-1"), found.start(2))
+    return found[1] + b" " * len(found[2])
+
+
+def _rewrite_length(found: re.Match[bytes], notes: Notes) -> bytes:
+    """Leave out a change of the tool's length; one by other than nothing is noted."""
+    nothing = not found[2].strip(b" -+.0")
+    return _blank(found) if nothing else _note_word(found, codes.SHIFT, found[1], notes)
 
 
 def _rewrite_bracket(found: re.Match[bytes], notes: Notes) -> bytes:

@@ -33,7 +33,7 @@ CALL = re.compile(
 )
 PROC = re.compile(r"^ *(?:N *[0-9]+)? *PROC +([A-Z_][A-Z0-9_]*) *(?:\(([^()]*)\))?.*$")
 PARAMETER = re.compile(r" *(?:REAL|INT|BOOL|CHAR) +([A-Z_][A-Z0-9_]*) *(?:= *([-+]?[0-9.]+))? *")
-COMMENT = re.compile(rb";[^\n]*")
+COMMENT = re.compile(rb'("[^"\n]*")|;[^\n]*')
 MOST_TIMES = 9999
 """P of a call."""
 ENDINGS = (".spf", ".mpf", "")
@@ -128,7 +128,9 @@ def _text(name: str, folders: Sequence[str]) -> bytes | None:
                     text = read_bytes(os.path.join(folder, file), "NC file")
                 except FileError:
                     continue
-                return COMMENT.sub(b"", text.replace(b"\r\n", b"\n").replace(b"\t", b" ")).upper()
+                return COMMENT.sub(
+                    lambda found: found[1] or b"", text.replace(b"\r\n", b"\n").replace(b"\t", b" ")
+                ).upper()
     return None
 
 

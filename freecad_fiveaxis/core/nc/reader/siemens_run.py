@@ -22,12 +22,13 @@ from .expressions import Unread
 from .siemens import HARMLESS, MACROS, shifts, without_strings
 from .siemens_calls import Whole, find_units, put_unit
 from .siemens_cycles import split_arguments
+from .siemens_loops import write_loops
 from .siemens_names import SETS, by_names, definition, mark_names, unmark_names, value_end
 from .statements import TEXT
 
 MARK = re.compile(
-    rb"(?<![A-Z_$])R "
-    rb"*[0-9\[]|(?<![A-Z0-9_$])(?:DEF|IF|WHILE|FOR|LOOP|UNTIL|GOTO[FB]?)\b|(?<![A-Z0-9_$])_[A-Z0-9_]+ *="
+    rb"(?<![A-Z_$])R *[0-9\[]|(?<![A-Z0-9_$])(?:DEF|IF|WHILE|FOR|LOOP|UNTIL|REPEATB?|GOTO[FB]?)\b"
+    rb"|(?<![A-Z0-9_$])_[A-Z0-9_]+ *="
 )
 """What shows that a text has variables or jumps."""
 SIGN = re.compile(rb"R *[0-9\[]|_[A-Z0-9_]+ *=")
@@ -41,8 +42,15 @@ KEYWORD = re.compile(
 JUMP = re.compile(r"(.*)GOTO([FB]?)([A-Z0-9_]+)$")
 VALUE = re.compile(r"= *(?:(?:AC|IC|DC|ACP|ACN) *\()?")
 """Before a value in a line with variables."""
-WORKED_OUT = re.compile(r"=[-+]*(?:(?!(?:AC|IC|DC|ACP|ACN)\()[A-Z_]*[0-9]?\(|[0-9.]+[-+*/])")
+WORKED_OUT = re.compile(
+    r"=[-+]*(?:(?!(?:AC|IC|DC|ACP|ACN)\()[A-Z_]*[0-9]?\(|(?:[ADI]C[PN]?\([-+]?)?[0-9.]+[-+*/])"
+)
 """A value to work out, without variables."""
+EXPRESSION = re.compile(
+    rb"= *[-+]* *(?:[0-9.]+ *[-+*/]|\(|(?:SIN|COS|TAN|ASIN|ACOS|ATAN2|SQRT|ABS|POT|LN|EXP|ROUND|TRUNC) *\("
+    rb"|[ADI]C[PN]? *\( *[-+]? *[0-9.]+ *[-+*/])"
+)
+"""What shows that a text without variables has a value to work out."""
 PLAIN = re.compile(r"[-+]?[0-9.]*")
 CALLED = re.compile(r"(?<![A-Z0-9_$])([A-Z_][A-Z_][A-Z0-9_]*) *\((.*)\) *$")
 SUB = 90_000_000
@@ -76,6 +84,7 @@ def with_calls(rows: list[bytes], called: list[bytes], search: tuple[str, ...]) 
         head += [f"{name}=#{i}" for i, (name, _) in enumerate(unit.parameters, 1)]
         rows_of = [*head, *own, f"@{k}ENDSUB"]
         put_unit(whole, k, rows_of, [*head, *unit.rows, ""], [unit.source[0]] * len(rows_of), units)
+    write_loops(whole)
     return whole
 
 
@@ -125,14 +134,16 @@ def _again(row: str, line: str, at: int, labels: dict[str, int], opened: list[tu
     if found and (jump := JUMP.match(rest)):
         return mark + _jump(jump, labels)
     if found:
-        return _keyword(found[1], rest[found.end() :], at, opened)
+        return mark + _keyword(found[1], rest[found.end() :], at, opened)
     if rest.startswith("DEF"):
         return mark + definition(rest)
     if USED.search(rest) or WORKED_OUT.search(rest):
         return mark + (_set(rest) if SETS.match(rest) else _with_values(row))
     if ENDS.fullmatch(rest):
-        return "M30"
-    return mark + rest if head and head[2] and not rest else None
+        return mark + "M30"
+    if not (head and head[2]):
+        return None
+    return mark + (_with_values(row) if rest else "")
 
 
 def _expression(text: str) -> str:
@@ -150,7 +161,7 @@ def _expression(text: str) -> str:
 def _with_values(row: str) -> str:
     """Return a row whose values in variables stand in braces: numbers take their place when it is run."""
     row = NUMBERED.sub("", row)
-    if found := CALLED.search(row):
+    if (found := CALLED.search(row)) and row[: found.start()].rstrip()[-1:] not in (*"=+-*/(,<>",):
         inside = ",".join("{" + _expression(part.replace(" ", "")) + "}" if USED.search(part) else part
                           for part in split_arguments(found[2]))  # fmt: skip
         if found[1].encode() in HARMLESS:

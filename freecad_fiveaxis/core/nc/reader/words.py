@@ -5,8 +5,9 @@ word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhe
           matter.
 comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain:
           that, up to the ~ that goes on with the next line, or a star at the start or the end of a line).
-block skip  a slash at the start of a line: the operator may switch such lines off.
+block skip  a slash at the start of a line: the operator may switch such lines off; between words, the rest.
 %         the first ends the leader of the tape, the next one ends the program.
+//, $H    what Mach3 and grbl take for themselves: :mod:`.control_lines`.
 language  ISO; Siemens' and Heidenhain's text is brought to plain words first (:mod:`.siemens`,
           :mod:`.heidenhain`).
 
@@ -34,6 +35,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, corners, interpreter
 from .called_files import with_called_files
+from .control_lines import without_control_lines
 from .expressions import Unread
 from .feed_groups import FeedGroup
 from .heidenhain import with_unit
@@ -57,9 +59,13 @@ BRACKETS, SEMICOLON, STAR = (
     (b";", rb";[^\n]*"),
     (b"*", rb"(?m:^) *(?:[0-9]+ +)?\*[^\n]*|\* *(?m:$)"),
 )
+OUTSIDE = (b";", rb'(?P<text>"[^"\n]*")|;[^\n]*')
+"""Siemens: a semicolon in a string begins no comment."""
 NOTE = (b";", rb";(?:[^\n~]|~(?! *(?:\n|$)))*")
-COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (SEMICOLON,), "heidenhain": (NOTE, STAR)}
+COMMENTS = {"iso": (BRACKETS, SEMICOLON), "siemens": (OUTSIDE,), "heidenhain": (NOTE, STAR)}
 SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
+WITHIN = re.compile(rb"^[^\n#\[=/]*[0-9.] *(/[1-9]?)(?= *[A-Z] *[-+.0-9])", re.MULTILINE)
+"""Block skip between the words of a line: the rest of it may be switched off (Fanuc, B-63324EN, 13.2)."""
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
 EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
 OF_MACHINE = re.compile(rb"\$ *-?[0-9]+|(?<=M66) *E *[0-9.]+")
@@ -84,6 +90,10 @@ LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-. \n\x
 CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" " * len(TAPE))
 LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n\x7f", b" " * 54)
 SKIPPED = Template("{count} lines begin with a slash (block skip); they are read as if the switch were off.")
+SKIPPED_WITHIN = Template(
+    "{count} lines have a slash (block skip) between their words; what stands behind it is read as if the "
+    "switch were off."
+)
 MACROS = Template(
     "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing "
     "here. Post without them. The first: {shown}."
@@ -172,7 +182,7 @@ def read_words(
     """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC
     where there is none) of that machine comes to them. Raises ProgramError, naming line and column, for what
     is no word, and for what does not end."""
-    text, findings, plain = _blank_non_words(text, language, progress, of_machine)
+    text, findings, plain = _blank_non_words(text, language, controller, progress, of_machine)
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
     folders = () if fanuc else of_machine.search
@@ -206,7 +216,7 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
 
 
 def _blank_non_words(
-    text: bytes, language: str, progress: Progress, of_machine: OfMachine
+    text: bytes, language: str, controller: str, progress: Progress, of_machine: OfMachine
 ) -> tuple[bytes, list[Finding], Plain]:
     """Return the text in capitals, lines ending in LF, with blanks for all that is no word; what was passed
     over; what the text's own language brought."""
@@ -238,13 +248,15 @@ def _blank_non_words(
         text = plain.text
         findings += plain.findings
     if language == "iso":
+        text, noted = without_control_lines(text, controller)
+        findings += noted
         text = corners.mark_corners(text)
     if language == "iso" and (b"$" in text or b"M66" in text):
         text = OF_MACHINE.sub(lambda found: b" " * len(found[0]), text)
-    if b"/" in text:
-        text, lines = _overwritten(text, SLASH, b" ")
+    for pattern, sentence in ((SLASH, SKIPPED), (WITHIN, SKIPPED_WITHIN)):
+        text, lines = _overwritten(text, pattern, b" ") if b"/" in text else (text, [])
         if lines:
-            found = finding_at(Code.BLOCK_SKIP, SKIPPED.say(count=len(lines)), text, lines[0])
+            found = finding_at(Code.BLOCK_SKIP, sentence.say(count=len(lines)), text, lines[0])
             findings.append(relocate_finding(found, plain.source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
@@ -269,8 +281,14 @@ def _marks(text: bytes, language: str) -> list[bytes]:
 def _calls(words: Words, fanuc: bool) -> bool:
     """Whether a program of plain words calls subprograms, or keeps and restores modes."""
     m_codes = words.value[words.letter == ord("M")]
-    called = np.isin(m_codes, CALLS if fanuc else CALLS + STATES).any()
+    called = np.isin(m_codes, CALLS if fanuc else CALLS + STATES).any() or _jumps_by_m99(words)
     return bool(called or (words.value[words.letter == ord("G")] == MACRO_CALL).any())
+
+
+def _jumps_by_m99(words: Words) -> bool:
+    """Whether an M99 says by P where to go on."""
+    line = words.line[(words.letter == ord("M")) & (words.value == 99)]
+    return bool(np.isin(line, words.line[words.letter == ord("P")]).any())
 
 
 def _run(
@@ -318,7 +336,11 @@ def _blank_comments(text: bytes, language: str) -> bytes:
     forms = [
         form for begin, form in COMMENTS[language] if begin in text
     ]  # a pattern of one form alone is searched faster
-    return re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text) if forms else text
+    return re.sub(b"|".join(forms), _blank_comment, text) if forms else text
+
+
+def _blank_comment(found: re.Match[bytes]) -> bytes:
+    return found[0] if found.lastgroup == "text" else b" " * len(found[0])
 
 
 def _lines_with(text: bytes, marks: list[bytes]) -> list[int]:
