@@ -133,8 +133,8 @@ def test_an_option_without_effect_is_named_unless_all_is_quiet(roof, tmp_path, c
     )
     words = (*words, "--frames", "3", "--direction", "20", "-o", tmp_path / "a.ngc")
     assert run(*words) in (0, 1)
-    told = capsys.readouterr().err
-    assert "--frames has no effect: it is for --passes frames" in told and "--direction" not in told
+    shown = capsys.readouterr().err
+    assert "--frames has no effect: it is for --passes frames" in shown and "--direction" not in shown
     assert run(*words, "--quiet") in (0, 1) and capsys.readouterr().err == ""
 
 

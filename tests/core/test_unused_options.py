@@ -28,11 +28,11 @@ def unused(**given):
     ],
 )
 def test_what_has_no_effect_is_named_with_what_it_is_for(given, counts):
-    told = unused(**given)
-    assert len(told) == 1 and told[0].startswith(
+    sentences = unused(**given)
+    assert len(sentences) == 1 and sentences[0].startswith(
         "--" + next(iter(given)).replace("_", "-") + " has no effect"
     )
-    assert all(value in told[0] for value in [counts.get("tool_axis") or next(iter(counts.values()))])
+    assert all(value in sentences[0] for value in [counts.get("tool_axis") or next(iter(counts.values()))])
     assert unused(**{**given, **counts}) == []
 
 
