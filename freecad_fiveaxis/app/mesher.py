@@ -67,11 +67,20 @@ def _mesh_file(task: dict[str, Any], folder: str) -> dict[str, Any]:
         shape = _read_shape(task["file"], task["named"])
         meshed = solid_mesh(shape, task["linear"], math.radians(task["angular"]))
     except Exception as error:
-        return {"error": " ".join(str(error).split()) or type(error).__name__}
+        return {"error": _reason(error)}
     if meshed is None:
         return {"error": "its solid is invalid; repair it (Part, Check geometry)"}
     meshed[0].write(os.path.join(folder, STL))
     return {"facets": meshed[0].CountFacets}
+
+
+def _reason(error: Exception) -> str:
+    """Say in one line why a file was not meshed. What FreeCAD raises holds a dictionary, and the sentence is
+    in that."""
+    held = error.args[0] if error.args else ""
+    if isinstance(held, dict):
+        return f"FreeCAD cannot read it ({' '.join(str(held.get('sErrMsg', '')).split())}); export it again"
+    return " ".join(str(error).split()) or type(error).__name__
 
 
 def _read_shape(path: str, named: str) -> Any:

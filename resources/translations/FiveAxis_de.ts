@@ -4620,6 +4620,10 @@
         <translation>#{key} stellt die Maschine ein</translation>
     </message>
     <message>
+        <source>- is no file, and nothing is written to the standard output; name a file</source>
+        <translation>- ist keine Datei, und auf die Standardausgabe wird nichts geschrieben; eine Datei nennen</translation>
+    </message>
+    <message>
         <source>1 block has no F above 0 in force; most controllers stop there. Give F.</source>
         <translation>1 NC-Satz hat kein gültiges F über 0; die meisten Steuerungen halten dort an. F angeben.</translation>
     </message>
@@ -9464,10 +9468,6 @@
         <translation>Nullpunkte von Rundachsen gelten als richtig</translation>
     </message>
     <message>
-        <source>{all} jobs: {well} without errors, {errors} with errors, {failed} failed</source>
-        <translation>{all} Aufträge: {well} ohne Fehler, {errors} mit Fehlern, {failed} gescheitert</translation>
-    </message>
-    <message>
         <source>{area} ({share} % of the mesh) at {place} lie inside another solid of the part and are not machined. Unite the solids in CAD, so that passes end at the seam.</source>
         <translation>{area} ({share} % des Netzes) bei {place} liegen in einem anderen Volumenkörper des Teils und werden nicht bearbeitet. Die Volumenkörper im CAD vereinigen, damit Bahnen an der Naht enden.</translation>
     </message>
@@ -9722,6 +9722,14 @@
     <message>
         <source>{count} finite numbers</source>
         <translation>{count} endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>{count} job: {well} without errors, {errors} with errors, {failed} failed</source>
+        <translation>{count} Auftrag: {well} ohne Fehler, {errors} mit Fehlern, {failed} gescheitert</translation>
+    </message>
+    <message>
+        <source>{count} jobs: {well} without errors, {errors} with errors, {failed} failed</source>
+        <translation>{count} Aufträge: {well} ohne Fehler, {errors} mit Fehlern, {failed} gescheitert</translation>
     </message>
     <message>
         <source>{count} lines begin with a colon without a number; the rest of them is read.</source>
@@ -10332,6 +10340,10 @@
         <translation>{name} ist ein Werkzeug der Form {shape}; {remedy}</translation>
     </message>
     <message>
+        <source>{name} is empty; give a value, or leave it out</source>
+        <translation>{name} ist leer; einen Wert angeben oder weglassen</translation>
+    </message>
+    <message>
         <source>{name} is no face: select faces of {label}.</source>
         <translation>{name} ist keine Fläche: Flächen von {label} auswählen.</translation>
     </message>
@@ -10542,6 +10554,14 @@
     <message>
         <source>{option} does not go together with {passes}; leave one of them out</source>
         <translation>{option} geht nicht zusammen mit {passes}; eines von beiden weglassen</translation>
+    </message>
+    <message>
+        <source>{option} has no effect: it is for {choice}</source>
+        <translation>{option} bewirkt nichts: es gilt für {choice}</translation>
+    </message>
+    <message>
+        <source>{option} has no effect: it is for {choice} and {other}</source>
+        <translation>{option} bewirkt nichts: es gilt für {choice} und {other}</translation>
     </message>
     <message>
         <source>{option} is of a CL file, {source} is a part; leave it out</source>

@@ -82,7 +82,10 @@ def test_a_file_that_holds_no_solid_says_so(tmp_path):
     assert "no solid" in meshed(tmp_path, tmp_path / "plane.step")[0]["error"]
     (tmp_path / "spoilt.step").write_text("nothing")
     result, mesh = meshed(tmp_path, tmp_path / "spoilt.step")
-    assert mesh is None and result["error"]
+    assert mesh is None and result["error"].startswith("FreeCAD cannot read it (Error")
+    assert result["error"].endswith("); export it again"), (
+        "a sentence, not the dictionary that FreeCAD raises"
+    )
 
 
 def test_the_words_of_both_sides_are_the_same():

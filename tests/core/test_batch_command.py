@@ -64,6 +64,14 @@ def without_work(monkeypatch):
     return done
 
 
+def test_one_job_is_one_and_two_are_jobs():
+    row = {"verdict": "green", "errors": 0}
+    assert str(sheet.count_outcomes([row])) == "1 job: 1 without errors, 0 with errors, 0 failed"
+    assert str(sheet.count_outcomes([row, {**row, "errors": 1}])).startswith(
+        "2 jobs: 1 without errors, 1 with"
+    )
+
+
 def test_a_folder_is_milled_and_what_is_finished_is_not_milled_again(parts, tmp_path, capsys, monkeypatch):
     out = tmp_path / "out"
     (parts / "c.stl").write_text("nothing")

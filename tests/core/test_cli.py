@@ -112,6 +112,32 @@ def test_the_former_name_is_not_noted_where_all_is_quiet_and_a_job_file_has_it(r
     assert "left" in json.loads((tmp_path / "a.json").read_text()) and capsys.readouterr().err == ""
 
 
+def test_no_word_at_all_is_answered_with_the_usage(capsys):
+    with pytest.raises(SystemExit) as ended:
+        run()
+    assert ended.value.code == 2 and "COMMAND" in capsys.readouterr().err
+
+
+def test_an_option_without_effect_is_named_unless_all_is_quiet(roof, tmp_path, capsys):
+    words = (
+        "mill",
+        roof,
+        "--machine",
+        "trunnion_ac",
+        "--stepover",
+        "9",
+        "--gouge",
+        "off",
+        "--passes",
+        "planes",
+    )
+    words = (*words, "--frames", "3", "--direction", "20", "-o", tmp_path / "a.ngc")
+    assert run(*words) in (0, 1)
+    shown = capsys.readouterr().err
+    assert "--frames has no effect: it is for --passes frames" in shown and "--direction" not in shown
+    assert run(*words, "--quiet") in (0, 1) and capsys.readouterr().err == ""
+
+
 def test_paths_in_a_job_file_are_relative_to_it(roof, tmp_path, monkeypatch):
     (tmp_path / "sub").mkdir()
     monkeypatch.chdir(tmp_path / "sub")

@@ -43,6 +43,13 @@ def test_an_impossible_target_is_refused_before_the_work(tmp_path, name):
     assert name.split("/")[0] in str(error.value)
 
 
+def test_a_dash_is_no_file_but_may_be_named_in_its_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FileError, match="standard output"):
+        check_writable("-")
+    check_writable("./-")
+
+
 def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(FileError, match=r"STL file .*gone\.stl cannot be read: No such file"):
         read_bytes(tmp_path / "gone.stl", "STL file")

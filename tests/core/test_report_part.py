@@ -102,6 +102,8 @@ def test_words_tell_good_from_bad(entered, clear):
     assert "The tool enters the part by more than 0.01 mm: deepest overcut" in bad and "Gouge-free" not in bad
     assert "Gouge-free: nowhere does the tool enter the part by more than 0.01 mm." in good
     assert "More is left than may be on" in good and "largest left" not in good
+    assert "deepest overcut none above 0.01 mm" in good, "what enters by less is not measured, and not 0"
+    assert "deepest overcut none" not in bad
 
 
 def test_markers_stand_where_the_part_is_entered_and_say_how_deep(entered):

@@ -275,7 +275,10 @@ def check_target(path: PathName) -> None:
 
 
 def check_writable(path: PathName) -> None:
-    """Fail early, before the long work, where a result could not be written. Raises FileError."""
+    """Fail early, before the long work, where a result could not be written. Raises FileError. ``-`` stands
+    for the standard output elsewhere, and is no file here."""
+    if os.fspath(path) == "-":
+        raise FileError(say("- is no file, and nothing is written to the standard output; name a file"), path)
     check_target(path)
     folder = os.path.dirname(os.path.realpath(path))
     if not os.path.isdir(folder):

@@ -16,7 +16,7 @@ from urllib.parse import quote
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, read_bytes, write_all
-from freecad_fiveaxis.core.base.sentences import Sentence, say
+from freecad_fiveaxis.core.base.sentences import Sentence, plural, say
 from freecad_fiveaxis.core.studies.setup_map.sheet import json_text, page, section
 
 from .task import COLUMNS, FAILED, not_of_batch
@@ -77,9 +77,11 @@ def count_outcomes(rows: Sequence[Row], kept: int = 0) -> Sentence:
     """One sentence over all; ``kept``: so many were finished before."""
     failed = sum(row["verdict"] == FAILED for row in rows)
     errors = sum(bool(row["errors"]) for row in rows)
-    text = say(
-        "{all} jobs: {well} without errors, {errors} with errors, {failed} failed",
-        all=len(rows), well=len(rows) - failed - errors, errors=errors, failed=failed,
+    text = plural(
+        len(rows),
+        "{count} job: {well} without errors, {errors} with errors, {failed} failed",
+        "{count} jobs: {well} without errors, {errors} with errors, {failed} failed",
+        well=len(rows) - failed - errors, errors=errors, failed=failed,
     )  # fmt: skip
     return text + say("; {kept} were finished before", kept=kept) if kept else text
 

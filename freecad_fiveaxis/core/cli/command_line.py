@@ -158,7 +158,7 @@ def _with_bare_options(argv: Sequence[str]) -> list[str]:
     from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     bare = {flag_of(leaf.name): leaf.metadata for _, leaf in option_fields() if leaf.metadata["bare"]}
-    following = [*argv[1:], ""]
+    following = [*argv, ""][1:]
     return [
         f"{word}={bare[word]['bare']}" if word in bare and after not in bare[word]["choices"] else word
         for word, after in zip(argv, following, strict=True)

@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, check_writable
 from freecad_fiveaxis.core.base.sentences import one_line, say
-from freecad_fiveaxis.core.base.terminal import bars, show
+from freecad_fiveaxis.core.base.terminal import bars, complain, show
 
 if TYPE_CHECKING:
     from freecad_fiveaxis.core.base.findings import Finding
@@ -83,12 +83,21 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int
     if settings.task != "audit" and not settings.output.output:
         raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
     check_inputs(settings)
+    if not quiet:
+        _complain_unused(settings)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
         files = outputs.write_outputs(result, progress)
     if not quiet:
         _show_report([as_text(job.figures(result))], files)
     return _exit_code(result.findings)
+
+
+def _complain_unused(settings: Settings) -> None:
+    from freecad_fiveaxis.core.pipeline.unused_options import find_unused
+
+    for sentence in find_unused(settings):
+        complain(f"fiveaxis: {sentence}")
 
 
 def _try(settings: Settings, quiet: bool, workers: int) -> int:

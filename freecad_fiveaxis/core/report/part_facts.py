@@ -169,11 +169,14 @@ def part_verdict(numbers: Mapping[str, Any], tolerance: float) -> tuple[tuple[st
     return tuple(sentences)
 
 
-def part_facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """Return the numbers as pairs of name and value with unit; none where nothing was looked for."""
+def part_facts(numbers: Mapping[str, Any], tolerance: float) -> list[tuple[str, str]]:
+    """Return the numbers as pairs of name and value with unit; none where nothing was looked for. An entry
+    within the tolerance, mm, is not measured, and so no 0."""
     facts = []
     if "overcut_blocks" in numbers:
-        facts = [_entry_fact(numbers, code) for code in GOUGES]
+        none = f"none above {tolerance:g} mm"
+        entered = {code: numbers[f"{code.replace('-', '_')}_blocks"] for code in GOUGES}
+        facts = [_entry_fact(numbers, code) if entered[code] else (LABELS[code], none) for code in GOUGES]
         facts.append(("nowhere the cutter goes deeper than", f"{numbers['cutter_bound']:.6f} mm (proven)"))
     if "max_left" in numbers:
         facts += [

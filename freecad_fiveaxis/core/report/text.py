@@ -141,7 +141,7 @@ def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
         ("rotary travel", turned),
         *_name_unfinished(numbers),
         *audit_facts(numbers),
-        *part_facts(numbers),
+        *part_facts(numbers, numbers["tolerance"]),
     ]
 
 
