@@ -85,7 +85,14 @@ def test_what_a_controller_lacks_is_idle_with_the_reason(dome, press, tree_row, 
         until(lambda: field(name).currentData() == wished, 10000, f"{name} as it was wished")  # noqa: B023
     until(lambda: not field("feed_mode").isEnabled(), 10000, "the mode of feeds idle")
     until(lambda: "no inverse time" in field("feed_mode_note").text(), 10000, "the reason")
+    choose(field("nc_units"), "mm")
+    until(lambda: not items(field("nc_units"))["inch"], 10000, "no choice of inches")
     choose(field("controller"), "Haas")
+    choose(field("nc_units"), "inch")
+    choose(field("controller"), "Heidenhain TNC (TCPM)")
+    until(lambda: "are in mm" in field("nc_units_error").text(), 10000, "the reason")
+    choose(field("controller"), "Haas")
+    until(lambda: not field("nc_units_error").text(), 10000, "nothing to say of a Haas")
     until(
         lambda: items(field("rtcp")) == {"off": True, "angles": True, "vectors": False},
         10000,

@@ -311,6 +311,8 @@ class Form(QtCore.QObject):
             load_machine(options.get(name, ""))
         if name == "rtcp" and (dialect := self.dialect()) is not None:
             check_guide(dialect, options)
+        if name == "nc_units" and options.get(name) == "inch" and (dialect := self.dialect()) is not None:
+            dialect.in_inches()
         if (
             name == "tool_length"
             and name not in options
