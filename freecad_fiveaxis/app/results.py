@@ -36,6 +36,7 @@ from .facets import Facets
 from .long_work import listening, run
 from .properties import list_options
 from .selection import SelectionError
+from .tessellation import Tessellation, has_moved
 
 
 @dataclass(frozen=True)
@@ -241,6 +242,11 @@ def out_of_date(obj: Any) -> str:
             )
         if "Touched" in one.State and one is not obj:
             return wording.localize(say("{label} was changed: recompute the document", label=one.Label))
+    if is_moved_mesh(getattr(obj, "Mesh", None)):
+        text = say(
+            "{label} was moved by the part that holds it: recompute the document", label=_base(obj).Label
+        )
+        return wording.localize(text)
     try:
         same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
     except FiveAxisError as error:
@@ -250,6 +256,25 @@ def out_of_date(obj: Any) -> str:
         label=obj.Label,
     )
     return "" if same else wording.localize(text)
+
+
+def is_moved_mesh(mesh: Any) -> bool:
+    """Whether it is a tessellation whose base, or itself, was moved by what holds it since it was made."""
+    return isinstance(getattr(mesh, "Proxy", None), Tessellation) and has_moved(mesh)
+
+
+def renew_base(obj: Any) -> None:
+    """Bring up to date what a Toolpath is made of: its solid, fixtures and mesh, where one of them waits for
+    a recompute. Raises FiveAxisError, Cancelled."""
+    mesh = getattr(obj, "Mesh", None)
+    waiting = [one for one in (_base(obj), *getattr(obj, "Fixtures", ())) if one and "Touched" in one.State]
+    if waiting:
+        obj.Document.recompute(waiting)
+    if not isinstance(getattr(mesh, "Proxy", None), Tessellation) or _base(obj) is None:
+        return
+    if _base(obj) in waiting or "Touched" in mesh.State or has_moved(mesh):
+        mesh.Proxy.build(mesh)
+        obj.Document.recompute([mesh])
 
 
 def tells_of(obj: Any) -> bool:

@@ -68,8 +68,19 @@ class PathPanel:
         self._on_edit()
 
     def is_current(self) -> bool:
-        """Whether the object that is there shows the result of its settings."""
-        return self.obj.Blocks > 0 and "Touched" not in self.obj.State
+        """Whether the object that is there shows the result of its part and its settings."""
+        from freecad_fiveaxis.app import results
+
+        return self.obj.Blocks > 0 and "Touched" not in self.obj.State and not results.out_of_date(self.obj)
+
+    def look_again(self) -> None:
+        """Forget the summary where the part has changed since, or whatever else it is of."""
+        try:
+            if self.calculated is not None and not self.is_current():
+                self.calculated = None
+                self._on_edit()
+        except (ReferenceError, RuntimeError):  # the object was deleted, or the panel closed by somebody else
+            return
 
     @property
     def stale(self) -> bool:
@@ -139,6 +150,7 @@ class PathPanel:
     def accept(self) -> bool:
         """OK: calculate if that is not done, keep what there is, close. The panel stays where something
         cannot be used, and where the path is not safe and the user goes back to change that."""
+        self.look_again()
         if (self.stale and not self.calculate()) or not self._ask_to_keep() or not self._try_to_finish():
             return False
         self.step.keep()
@@ -171,6 +183,7 @@ class PathPanel:
         for field in self.options.fields.values():
             if hasattr(field, "pick"):
                 field.pick.stop()
+        _shown.clear()
         FreeCADGui.Control.closeDialog()
         if self.step.has_document() and FreeCADGui.getDocument(self.doc.Name).getInEdit():
             FreeCADGui.getDocument(self.doc.Name).resetEdit()
@@ -187,7 +200,21 @@ def show(panel: Any) -> Any:
     shorten_title(panel.form)
     FreeCADGui.Control.showDialog(panel)
     keys.belong_to(panel.form)
+    _shown[:] = [panel]
     return panel
+
+
+_shown: list[Any] = []
+"""The panel that was shown last."""
+_due: list[Any] = []
+"""It, where it is to look at the document once the window is idle."""
+
+
+def look_again(doc: Any) -> None:
+    """Have the panel that is open over a document see, once the window is idle, whether it is out of date."""
+    if _shown and not _due and getattr(_shown[0], "doc", None) is doc and hasattr(_shown[0], "look_again"):
+        _due.append(_shown[0])
+        later(lambda: _due.pop().look_again())
 
 
 def fit(name: str) -> None:

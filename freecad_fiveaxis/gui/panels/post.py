@@ -52,6 +52,13 @@ class PostPanel:
         self.form = self._widget()
         self._show_poor()
         self.file.show_value(propose_name(path))
+        self._say_old()
+
+    def _say_old(self) -> None:
+        """Say where the verdict is not that of the part as it is; OK computes it anew."""
+        from freecad_fiveaxis.app import results
+
+        self.show_error(results.out_of_date(self.path))
 
     def _widget(self) -> Any:
         widget = QtWidgets.QWidget()
@@ -146,6 +153,7 @@ class PostPanel:
             check_writable(path)
         title = translate("FiveAxis", "Post-process")
         with transaction(self.path.Document, title), waiting(title):
+            results.renew_base(self.path)
             self._put_spindle()
             figures = results.figures_of(self.path)
         self._show_poor()
