@@ -263,18 +263,29 @@ def is_moved_mesh(mesh: Any) -> bool:
     return isinstance(getattr(mesh, "Proxy", None), Tessellation) and has_moved(mesh)
 
 
-def renew_base(obj: Any) -> None:
-    """Bring up to date what a Toolpath is made of: its solid, fixtures and mesh, where one of them waits for
-    a recompute. Raises FiveAxisError, Cancelled."""
-    mesh = getattr(obj, "Mesh", None)
-    waiting = [one for one in (_base(obj), *getattr(obj, "Fixtures", ())) if one and "Touched" in one.State]
+def renew(obj: Any) -> None:
+    """Bring a Toolpath up to date where its solid, a fixture or its mesh waits for a recompute. Raises
+    FiveAxisError, Cancelled."""
+    if renew_base(obj):
+        result_of(obj)
+        obj.Document.recompute([obj])
+
+
+def renew_base(obj: Any) -> bool:
+    """Bring up to date what a Toolpath is made of, where one of that waits for a recompute; whether one did.
+    Raises FiveAxisError, Cancelled."""
+    base: Any = _base(obj)
+    mesh: Any = getattr(obj, "Mesh", None)
+    waiting = [one for one in (base, *getattr(obj, "Fixtures", ())) if one and "Touched" in one.State]
     if waiting:
         obj.Document.recompute(waiting)
-    if not isinstance(getattr(mesh, "Proxy", None), Tessellation) or _base(obj) is None:
-        return
-    if _base(obj) in waiting or "Touched" in mesh.State or has_moved(mesh):
-        mesh.Proxy.build(mesh)
-        obj.Document.recompute([mesh])
+    if not isinstance(getattr(mesh, "Proxy", None), Tessellation) or base is None:
+        return bool(waiting)
+    if base not in waiting and "Touched" not in mesh.State and not has_moved(mesh):
+        return bool(waiting)
+    mesh.Proxy.build(mesh)
+    obj.Document.recompute([mesh])
+    return True
 
 
 def tells_of(obj: Any) -> bool:

@@ -102,7 +102,7 @@ def test_a_panel_forgets_the_result_of_a_solid_that_was_changed(
     panel = toolpath.edit(path)
     assert not panel.stale
     dome.Radius = 18
-    until(lambda: panel.stale and panel.summary.text() != "", 10000, "the summary forgotten")
+    until(lambda: panel.stale, 10000, "the summary forgotten")
     modal("Keep anyway")
     panel_button("OK")
     panel_closed()

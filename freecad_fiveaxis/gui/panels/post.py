@@ -153,7 +153,7 @@ class PostPanel:
             check_writable(path)
         title = translate("FiveAxis", "Post-process")
         with transaction(self.path.Document, title), waiting(title):
-            results.renew_base(self.path)
+            results.renew(self.path)
             self._put_spindle()
             figures = results.figures_of(self.path)
         self._show_poor()
