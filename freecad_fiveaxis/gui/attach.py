@@ -69,6 +69,7 @@ class Observer:
     def slotUndoDocument(self, doc: Any) -> None:
         """Settle what undo brings back: it may be current, though FreeCAD would have it recomputed."""
         later(lambda: _settle(doc))
+        _tell_panel(doc)
 
     def slotRedoDocument(self, doc: Any) -> None:
         """Settle what redo brings back."""

@@ -3555,6 +3555,10 @@
         <translation>Worauf das Urteil beruht</translation>
     </message>
     <message>
+        <source>What this panel changes was deleted or undone meanwhile: press Cancel.</source>
+        <translation>Was dieser Dialog ändert, wurde inzwischen gelöscht oder rückgängig gemacht: Abbrechen drücken.</translation>
+    </message>
+    <message>
         <source>What would finish more?</source>
         <translation>Was würde mehr fertig bearbeiten?</translation>
     </message>
@@ -4499,6 +4503,14 @@
     <message>
         <source>{what}: all, the worst at</source>
         <translation>{what}: alle, der schlimmste bei</translation>
+    </message>
+    <message>
+        <source>{} is the name of the report too: name the NC file otherwise.</source>
+        <translation>{} heißt auch der Bericht: NC-Datei anders nennen.</translation>
+    </message>
+    <message>
+        <source>{} is this document: name another file.</source>
+        <translation>{} ist dieses Dokument: eine andere Datei nennen.</translation>
     </message>
     <message>
         <source>{} s</source>

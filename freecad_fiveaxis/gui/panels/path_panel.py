@@ -20,7 +20,7 @@ from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.shown_parts import ShownParts
-from freecad_fiveaxis.gui.undo import OpenStep
+from freecad_fiveaxis.gui.undo import OpenStep, is_there
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
@@ -44,7 +44,7 @@ class PathPanel:
 
     def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
         self.doc, self.title, self.options, self.obj = doc, title, form, obj
-        self.draft = obj is None
+        self.draft, self.gone = obj is None, False
         self.step = OpenStep(doc, title)
         self.calculated: dict[str, Any] | None = None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
@@ -76,6 +76,7 @@ class PathPanel:
     def look_again(self) -> None:
         """Forget the summary where the part has changed since, or whatever else it is of."""
         try:
+            self.forget_gone()
             if self.calculated is not None and not self.is_current():
                 self.calculated = None
                 self._on_edit()
@@ -86,6 +87,15 @@ class PathPanel:
     def stale(self) -> bool:
         """Whether OK has to calculate."""
         return self.calculated is None or self.calculated != self.options.read_values()
+
+    def forget_gone(self) -> None:
+        """Where the object was undone or deleted, what is computed next is a new one; one that was there
+        before is gone for good."""
+        if self.obj is None or is_there(self.obj):
+            return
+        self.obj = self.calculated = None
+        self.gone = not self.draft
+        self._on_edit()
 
     def compute(self) -> Any:
         """Make or change the object in the document and compute it; returns it. Raises FiveAxisError."""
@@ -98,7 +108,8 @@ class PathPanel:
         """Compute what the form says and show the summary; whether that went well. Otherwise the document is
         as before."""
         self.options.want()
-        if not self.options.check():
+        self.forget_gone()
+        if not self.options.check() or self._say_gone():
             self.summary.forget()
             return False
         self.step.begin()
@@ -113,6 +124,14 @@ class PathPanel:
         self._on_edit()
         reveal(self.form)
         return True
+
+    def _say_gone(self) -> bool:
+        """Say in red that the object has gone; whether it has."""
+        text = translate("FiveAxis", "What this panel changes was deleted or undone meanwhile: press Cancel.")
+        if self.gone:
+            self.options.show_error(text)
+            reveal(self.form)
+        return self.gone
 
     def _undone(self) -> None:
         self.step.take_back()
@@ -132,6 +151,7 @@ class PathPanel:
         reveal(self.form)
 
     def _on_edit(self) -> None:
+        self.forget_gone()
         self.options.check()
         if self.stale:
             self.summary.forget()

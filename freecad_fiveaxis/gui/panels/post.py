@@ -149,8 +149,9 @@ class PostPanel:
         from freecad_fiveaxis.core.report import summary
 
         nc, reports = self._nc_path(), self._report_paths()
-        for path in reports.values():
+        for path in (nc, *reports.values()):
             check_writable(path)
+        self._check_names(nc, reports)
         title = translate("FiveAxis", "Post-process")
         with transaction(self.path.Document, title), waiting(title):
             results.renew(self.path)
@@ -171,6 +172,19 @@ class PostPanel:
             lines = results.nc_of(self.path).count(b"\n")
         written.tell(nc, lines, summary(figures)["time_s"])
         return True
+
+    def _check_names(self, nc: str, reports: dict[str, str]) -> None:
+        """Raise FileError where the NC file has the name of a report, or of the document."""
+        from freecad_fiveaxis.core.base.errors import FileError
+
+        own = self.path.Document.FileName
+        texts = [translate("FiveAxis", "{} is the name of the report too: name the NC file otherwise.")] * (
+            nc in reports.values()
+        )
+        if own and os.path.realpath(own) in map(os.path.realpath, (nc, *reports.values())):
+            texts.append(translate("FiveAxis", "{} is this document: name another file."))
+        if texts:
+            raise FileError(texts[0].format(nc), nc)
 
     def _put_spindle(self) -> None:
         """Give the path the speed that was typed here."""

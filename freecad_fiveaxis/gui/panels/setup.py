@@ -16,6 +16,7 @@ from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text, write_number
+from freecad_fiveaxis.gui.undo import is_there
 from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.waiting import waiting
 
@@ -146,6 +147,12 @@ class SetupPanel(PathPanel):
                 self.doc, self.base, faces=self.faces, fixtures=held, **read_preferred()
             )
         return app.setup_map(self.path, **values)
+
+    def forget_gone(self) -> None:
+        """The path that was made with the map goes with it."""
+        if self.base is not None and self.path is not None and not is_there(self.path):
+            self.path = None
+        super().forget_gone()
 
     def _undone(self) -> None:
         super()._undone()
