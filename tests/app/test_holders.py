@@ -6,6 +6,7 @@ from conftest import FAST, UNCURED
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import convert, rest, results, wording
+from freecad_fiveaxis.core.base.errors import FiveAxisError
 
 pytestmark = pytest.mark.usefixtures("kept")
 OPTIONS = {**FAST, **UNCURED, "stepover": 8}
@@ -80,6 +81,15 @@ def test_what_is_posted_is_of_the_part_as_it_stands(doc, ball, holder, tmp_path)
     move(holder, 10)
     app.post_process(path, tmp_path / "held.ngc")
     assert (tmp_path / "held.ngc").read_bytes() == moved
+
+
+def test_machines_are_not_compared_on_a_part_that_has_moved_since(held, holder, ball):
+    move(holder, 40)
+    with pytest.raises(FiveAxisError, match="Ball was moved by the part that holds it"):
+        app.compare(held, ["trunnion_bc"], ["none"])
+    move(ball, 1)
+    with pytest.raises(FiveAxisError, match="Ball was changed: recompute the document"):
+        app.compare(held, ["trunnion_bc"], ["none"])
 
 
 def test_settings_that_change_take_the_part_as_it_stands(doc, ball, holder):

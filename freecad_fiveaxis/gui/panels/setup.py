@@ -126,8 +126,11 @@ class SetupPanel(PathPanel):
         self.shown_parts.show_for(None)
 
     def is_current(self) -> bool:
-        """Whether the map is of its toolpath as it is."""
-        return bool(self.obj.UpToDate)
+        """Whether the map is of its toolpath, and that of its part, as they are."""
+        from freecad_fiveaxis.app import results
+
+        path = self.obj.Path
+        return bool(self.obj.UpToDate) and path is not None and not results.out_of_date(path)
 
     def calculate(self) -> bool:
         """Return the places of the map lie about the part: all of them are to be seen."""
@@ -139,9 +142,12 @@ class SetupPanel(PathPanel):
     def compute(self) -> Any:
         """Return the map of the toolpath; over a part, of a new toolpath with the preferences."""
         from freecad_fiveaxis import app
+        from freecad_fiveaxis.app import results
 
         values = self.options.read_values()
-        if self.path is None:
+        if self.path is not None:
+            results.renew(self.path)
+        else:
             held = values["fixtures"]
             self.path = app.create_toolpath(
                 self.doc, self.base, faces=self.faces, fixtures=held, **read_preferred()
