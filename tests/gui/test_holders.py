@@ -12,6 +12,7 @@ from pivy import coin
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
+from freecad_fiveaxis.gui import findings_panel
 from freecad_fiveaxis.gui.panels import post, toolpath
 
 pytestmark = pytest.mark.usefixtures("kept")
@@ -79,8 +80,11 @@ def test_the_legend_says_so_where_a_part_moves_the_solid_or_a_fixture(path, dome
     path.Fixtures = [vise]
     doc.recompute()
     until(lambda: warning(path) == "", 10000, "up to date")
+    listed = findings_panel.show(path)
+    assert listed.old.text() == ""
     vise.Placement.Base = FreeCAD.Vector(45, 0, 0)
     until(lambda: "Vise was changed" in (warning(path) or ""), 10000, "the fixture moved")
+    assert listed.old.text() == warning(path) and listed.old.isVisible()
     holder.Placement = FreeCAD.Placement()
     holder.addObject(vise)
     doc.recompute()
@@ -93,6 +97,8 @@ def test_the_legend_says_so_where_a_part_moves_the_solid_or_a_fixture(path, dome
     until(lambda: "Dome was moved" in (warning(path) or ""), 10000, "the solid moved by its part")
     doc.recompute()
     until(lambda: warning(path) == "", 10000, "a recompute has helped here too")
+    assert listed.old.text() == ""
+    findings_panel.forget(doc)
 
 
 def test_a_panel_forgets_the_result_of_a_solid_that_was_changed(
