@@ -10073,7 +10073,7 @@
     </message>
     <message>
         <source>{label} is old: recompute the document</source>
-        <translation>{label} ist veraltet: Dokument neu berechnen</translation>
+        <translation>{label} ist veraltet: das Dokument neu berechnen</translation>
     </message>
     <message>
         <source>{label} is the part that is milled: choose what holds it, or no fixture.</source>
@@ -10105,7 +10105,7 @@
     </message>
     <message>
         <source>{label} was moved by the part that holds it: recompute the document</source>
-        <translation>{label} wurde mit dem Teil bewegt, in dem es steckt: Dokument neu berechnen</translation>
+        <translation>{label} wurde mit dem Teil bewegt, in dem es steckt: das Dokument neu berechnen</translation>
     </message>
     <message>
         <source>{label}: {errors}</source>
