@@ -52,7 +52,8 @@ class OpenStep:
 def is_there(obj: Any) -> bool:
     """Whether an object is in its document: neither deleted nor undone."""
     try:
-        return obj.Document.getObject(obj.Name) is not None
+        name = obj.Name  # of what was undone it is an error in FreeCAD 0.20, and None in 1.1
+        return bool(name) and obj.Document.getObject(name) is not None
     except (ReferenceError, RuntimeError, AttributeError):
         return False
 
