@@ -4,9 +4,11 @@ that is not in the document, works on, and Cancel still takes all of it back."""
 
 import FreeCADGui
 import pytest
+from conftest import QtWidgets, close_all
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.gui.panels import post, reach, toolpath
+from freecad_fiveaxis.gui.panels.path_panel import DRAWN
 
 pytestmark = pytest.mark.usefixtures("kept")
 OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:6:30", "stepover": 8.0, "linear_deflection": 0.3,
@@ -105,3 +107,12 @@ def test_a_name_that_is_no_name_for_a_program_is_refused_unasked(name, text, doc
     assert not opened.accept() and text in opened.error.text()
     assert sorted(one.name for one in tmp_path.iterdir()) == before
     FreeCADGui.Control.closeDialog()
+
+
+def test_a_document_that_is_closed_right_after_calculate_does_no_harm(doc, dome, pump):
+    opened = reach.create(dome)
+    assert opened.calculate()
+    opened.reject()
+    close_all(doc.Name)
+    pump(2 * DRAWN)  # a message box of an error that nobody foresaw would fail the test
+    assert FreeCADGui.getMainWindow() and QtWidgets.QApplication.activeModalWidget() is None

@@ -243,6 +243,12 @@ def fit(name: str) -> None:
         FreeCADGui.getDocument(name).ActiveView.fitAll()
 
 
+def fit_soon(doc: Any) -> None:
+    """Show all of a document once what is new is drawn, unless it was closed meanwhile."""
+    name = doc.Name
+    QtCore.QTimer.singleShot(DRAWN, lambda: fit(name))
+
+
 def is_seen(name: str, box: Any) -> bool:
     """Whether half of a box of the document, as it stands on the screen, lies in its view; true where it has
     no 3D view."""

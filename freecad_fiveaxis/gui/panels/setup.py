@@ -14,7 +14,7 @@ from typing import Any
 
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text, write_number
 from freecad_fiveaxis.gui.undo import is_there
 from freecad_fiveaxis.gui.verdict_label import ADVICE
@@ -22,7 +22,7 @@ from freecad_fiveaxis.gui.waiting import waiting
 
 from .fixtures import FixturesField
 from .form import Form
-from .path_panel import DRAWN, PathPanel, fit, reveal, show
+from .path_panel import PathPanel, fit_soon, reveal, show
 from .post import propose_file
 from .summary import Summary, clock
 from .toolpath import find_milled_solid, read_preferred
@@ -136,7 +136,7 @@ class SetupPanel(PathPanel):
         """Return the places of the map lie about the part: all of them are to be seen."""
         good = super().calculate()
         if good:
-            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
+            fit_soon(self.doc)
         return good
 
     def compute(self) -> Any:
