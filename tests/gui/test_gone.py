@@ -54,7 +54,7 @@ def test_after_undo_ok_calculates_anew_and_cancel_takes_it_back(
     assert labels(doc) == WHOLE and doc.UndoNames == ["Tool path"]
 
 
-def test_a_path_that_is_deleted_under_its_panel_is_made_again(panel, doc, until):
+def test_a_path_that_is_deleted_under_its_panel_is_computed_again(panel, doc, until):
     doc.removeObject("Toolpath")
     until(lambda: panel.stale and panel.obj is None, 10000, "forgotten")
     panel.options.show_options({"stepover": 9.0})

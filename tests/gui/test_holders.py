@@ -23,9 +23,9 @@ OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:6:30", "stepover": 8.0, "li
 @pytest.fixture
 def path(doc, dome, until):
     """A coarse path over the dome, drawn."""
-    made = app.create_toolpath(doc, dome, **OPTIONS)
-    until(lambda: picture(made) and picture(made).styled, 20000, "the path drawn")
-    return made
+    drawn_path = app.create_toolpath(doc, dome, **OPTIONS)
+    until(lambda: picture(drawn_path) and picture(drawn_path).styled, 20000, "the path drawn")
+    return drawn_path
 
 
 @pytest.fixture
