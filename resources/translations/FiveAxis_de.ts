@@ -10308,6 +10308,10 @@
         <translation>{names}, auszusparen, gehört zu {other}: Flächen von {label} wählen.</translation>
     </message>
     <message>
+        <source>{name} '' is empty; give a value, or leave it out</source>
+        <translation>{name} '' ist leer; geben Sie einen Wert an, oder lassen Sie es weg</translation>
+    </message>
+    <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
         <translation>{name} = {value} ist nur auf {certainty} sicher; Zeilen mit größeren Drehungen angeben.</translation>
     </message>
@@ -10366,10 +10370,6 @@
     <message>
         <source>{name} is a tool of the shape {shape}; {remedy}</source>
         <translation>{name} ist ein Werkzeug der Form {shape}; {remedy}</translation>
-    </message>
-    <message>
-        <source>{name} is empty; give a value, or leave it out</source>
-        <translation>{name} ist leer; einen Wert angeben oder weglassen</translation>
     </message>
     <message>
         <source>{name} is no face: select faces of {label}.</source>

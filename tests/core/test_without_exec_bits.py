@@ -11,10 +11,11 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 SCRIPTS = ("scripts", ".ci", "tests/freecad", "tests/sitting")
-BOTH = ("lint", "core", "headless", "sitting")
-SHORT = (*BOTH, "interpreter", "window-short")
+BOTH = ("lint", "core", "sitting")
+SHORT = (*BOTH, "headless-short", "interpreter", "window-short")
 ALL = (
     *BOTH,
+    "headless",
     "slow",
     "window",
     "linuxcnc",

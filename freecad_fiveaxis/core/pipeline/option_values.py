@@ -96,7 +96,7 @@ def _range_text(rules: Mapping[str, Any]) -> Sentence:
 def read_text(given: Any, name: str) -> str:
     """Return a text that can name a file or a thing. Raises SettingsError."""
     if given == "":
-        raise SettingsError(say("{name} is empty; give a value, or leave it out", name=name), given)
+        raise SettingsError(say("{name} '' is empty; give a value, or leave it out", name=name), given)
     if not isinstance(given, str):
         raise SettingsError(
             say("{name} {given} is not a text", name=name, given=quantity.show_given(given)), given
