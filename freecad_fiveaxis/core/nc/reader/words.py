@@ -18,13 +18,10 @@ blanks of the same length, so that lines and columns of the file stay known for 
 from __future__ import annotations
 
 import re
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ProgramError
@@ -44,15 +41,14 @@ from .of_machine import NO_MACHINE, OfMachine
 from .plain_words import Plain, not_run, plain_words, relocate_finding
 from .plane_calls import Tilt
 from .preface import (
-    SOLID,
     between_marks,
     finding_at,
-    line_end,
     with_line_feeds,
     without_end_sign,
     without_preface,
 )
 from .siemens_cycles import Drill
+from .word_columns import find_column, split_words
 
 BRACKETS, SEMICOLON, STAR = (
     (b"(", rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"),
@@ -67,7 +63,6 @@ SLASH = re.compile(rb"^ *(/[0-9]?)", re.MULTILINE)
 WITHIN = re.compile(rb"^[^\n#\[=/]*[0-9.] *(/[1-9]?)(?= *[A-Z] *[-+.0-9])", re.MULTILINE)
 """Block skip between the words of a line: the rest of it may be switched off (Fanuc, B-63324EN, 13.2)."""
 COLON = re.compile(rb"^ *(:)(?= *[0-9])", re.MULTILINE)
-EXPONENT = re.compile(rb"(?<=[0-9.])E[+-]?[0-9]")
 OF_MACHINE = re.compile(rb"\$ *-?[0-9]+|(?<=M66) *E *[0-9.]+")
 """LinuxCNC's number of a spindle, and of the input that M66 waits for."""
 SYMBOLS = {
@@ -86,9 +81,7 @@ FANUC = ("fanuc", "haas")
 TAPE = b"\t\v\f\x11\x12\x13\x14\x1a"
 """Control characters that old files hold between the words: tabs, reader control, end of file."""
 TEXT = bytes({*range(32, 256), *TAPE, *b"\n\r"} - {127})
-LEGAL = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-. \n\x7f"
 CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" " * len(TAPE))
-LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n\x7f", b" " * 54)
 SKIPPED = Template("{count} lines begin with a slash (block skip); they are read as if the switch were off.")
 SKIPPED_WITHIN = Template(
     "{count} lines have a slash (block skip) between their words; what stands behind it is read as if the "
@@ -109,8 +102,6 @@ DIN_END = re.compile(rb"^ *N[0-9]+ *%[^\n%]*? +G7[01] *\*[\s]*\Z", re.MULTILINE 
 SIEMENS_SIGN = re.compile(
     rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE
 )
-PREFACE = 3
-"""Lines at the start of a file in which somebody may have written what the program is."""
 LOOKED_AT, LAST = 20_000, 200
 """Bytes at the start and at the end of a text that tell whose language it is."""
 
@@ -143,7 +134,7 @@ class Words:
             return f"line {int(self.in_file(self.line[word]))}"
         compact = self.text.translate(None, b" ")
         begin = compact.rfind(b"\n", 0, int(self.start[word])) + 1
-        return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
+        return f"line {line}, column {find_column(self.text, line, int(self.start[word]) - begin)}"
 
     def in_file(self, line: Ints) -> Ints:
         """Return the lines of the file for some of ``line``."""
@@ -200,19 +191,8 @@ def read_words(
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
     """Return the words of a text that holds nothing else."""
-    _check_characters(text, source)
-    compact = text.translate(None, b" ") + b"\n"
-    code = np.frombuffer(compact, np.uint8)
-    is_letter = code >= ord("A")
-    start = np.flatnonzero(is_letter)
-    bad = _find_malformed(code, is_letter, start)
-    if bad >= 0:
-        _complain(text, compact, bad, source)
-    value = _numbers(compact, len(start))
-    if not np.isfinite(value).all():
-        _complain(text, compact, int(start[np.flatnonzero(~np.isfinite(value))[0]]), source)
-    line = _lines(code, start)
-    return Words(code[start].astype(np.int8), value, line, (), text, start, source)
+    letter, value, line, start = split_words(text, source)
+    return Words(letter, value, line, (), text, start, source)
 
 
 def _blank_non_words(
@@ -359,107 +339,3 @@ def _blank_lines(text: bytes, chosen: list[int]) -> bytes:
 def _has_adjacent_letters(text: bytes) -> bool:
     letter = np.frombuffer(text, np.uint8) - np.uint8(ord("A")) < 26
     return bool((letter[1:] & letter[:-1]).any())
-
-
-def _check_characters(text: bytes, source: Ints | None) -> None:
-    if illegal := text.translate(None, LEGAL):
-        shown = illegal[:1].decode("latin-1")
-        partner = say("a bracket without its partner")
-        hint = {"(": partner, ")": partner, ",": say("write a decimal point")}
-        _fail(
-            text,
-            text.index(illegal[:1]),
-            say(
-                "character {shown} cannot be read ({hint})",
-                shown=repr(shown),
-                hint=hint.get(shown, say("not part of any word")),
-            ),
-            source,
-        )
-    if b"E" in text and (found := EXPONENT.search(text)):
-        _fail(text, found.start(), say("a number with an exponent; write it out"), source)
-
-
-def _find_malformed(code: NDArray[np.uint8], is_letter: Bools, start: Ints) -> int:
-    """Position of the first character that makes no word, -1 if all is well."""
-    before = np.empty(len(code), np.uint8)
-    before[0], before[1:] = ord("\n"), code[:-1]
-    sign = (code == ord("+")) | (code == ord("-"))
-    bad = sign & (before < ord("A"))  # a sign that follows no letter
-    bad |= (before == ord("\n")) & ~is_letter & (code != ord("\n"))  # a line that begins with no letter
-    bad_places = np.flatnonzero(bad)
-    if not len(start):
-        return int(bad_places[0]) if len(bad_places) else -1
-    digits = np.add.reduceat((code - np.uint8(ord("0"))) < 10, start, dtype=np.int32)
-    points = np.add.reduceat(code == ord("."), start, dtype=np.int32)
-    bad_words = start[(digits == 0) | (points > 1)]
-    places = [int(found[0]) for found in (bad_places, bad_words) if len(found)]
-    return min(places, default=-1)
-
-
-def _numbers(compact: bytes, count: int) -> Floats:
-    """All numbers of a text that was found well formed."""
-    if count == 0:
-        return np.empty(0)  # numpy finds one number in blanks
-    with warnings.catch_warnings():
-        warnings.simplefilter("error", DeprecationWarning)  # numpy's way to say that it stopped early
-        value = np.fromstring(compact.translate(LETTERS_TO_BLANKS), np.float64, sep=" ")
-    if len(value) != count:
-        raise ProgramError(
-            say("{count} numbers for {words} words; the text is malformed", count=len(value), words=count),
-            count,
-        )
-    return value
-
-
-def _lines(code: NDArray[np.uint8], start: Ints) -> Ints:
-    ends = np.flatnonzero(code == ord("\n"))
-    words_so_far = np.searchsorted(start, ends)
-    return np.repeat(np.arange(1, len(ends) + 1), np.diff(words_so_far, prepend=0))
-
-
-def _complain(text: bytes, compact: bytes, at: int, source: Ints | None) -> NoReturn:
-    """Raise for the malformed word at ``at`` of the text without blanks."""
-    line = compact.count(b"\n", 0, at)
-    begin = _line_start(text, line + 1)
-    column = _column(text, line + 1, at - (compact.rfind(b"\n", 0, at) + 1))
-    found = text[begin : line_end(text, begin)].strip()
-    reason = say("a word is a letter and one number")
-    if found == b"O":
-        reason = say("the program has no number; write one after the O, as O1")
-    elif line < PREFACE and b"G" not in text[:begin] and not re.search(rb"[0-9]", found):
-        reason = say("this is no NC line; delete what stands before the program, or put it in brackets")
-    _fail(text, begin + column - 1, reason, source)
-
-
-def _line_start(text: bytes, line: int) -> int:
-    """Where a line, counted from 1, begins."""
-    begin = 0
-    for _ in range(line - 1):
-        begin = text.index(b"\n", begin) + 1
-    return begin
-
-
-def _column(text: bytes, line: int, within: int) -> int:
-    """Return the column, counted from 1, of character ``within`` of a line without its blanks; 1 beyond its
-    end."""
-    begin = _line_start(text, line)
-    places = [found.start() for found in SOLID.finditer(text, begin, line_end(text, begin))]
-    return places[within] - begin + 1 if within < len(places) else 1
-
-
-def _fail(text: bytes, at: int, reason: str, source: Ints | None) -> NoReturn:
-    begin = text.rfind(b"\n", 0, at) + 1
-    line = text.count(b"\n", 0, at) + 1
-    line = line if source is None else int(source[line])
-    found = text[begin : begin + 200].split(b"\n")[0].decode("latin-1").strip()[:60]
-    raise ProgramError(
-        say(
-            "line {line}, column {at}: {reason}: {found}",
-            line=line,
-            at=at - begin + 1,
-            reason=reason,
-            found=repr(found),
-        ),
-        found,
-    )
