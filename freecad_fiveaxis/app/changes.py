@@ -18,7 +18,7 @@ from .arguments import names
 from .auditing import audit_options, check_fixtures, compare_with
 from .job_setup import follow
 from .properties import default_value, property_name
-from .results import renew_base, result_of
+from .results import result_of
 
 _OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "AngularDeflection"}
 
@@ -35,7 +35,6 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     options = toolpath.with_strategies(options)
     if obj.Mesh is None:
         raise toolpath.mesh_is_gone(obj)
-    renew_base(obj)
     _put_mesh(obj.Mesh, settings)
     _put(obj, MILL, options, settings.get("work_zero"))
     if "fixtures" in settings and list(obj.Fixtures) != list(settings["fixtures"]):

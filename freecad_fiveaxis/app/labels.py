@@ -308,6 +308,8 @@ def _choices() -> dict[str, str]:
         "scallop": translate("FiveAxis", "constant scallop"),
         "file": translate("FiveAxis", "as the file says"),
         "mm": translate("FiveAxis", "mm"),
+        "cm": translate("FiveAxis", "cm"),
+        "m": translate("FiveAxis", "m"),
         "inch": translate("FiveAxis", "inch"),
         "calculator": translate("FiveAxis", "as they stand"),
         "least-increment": translate("FiveAxis", "least increment"),
