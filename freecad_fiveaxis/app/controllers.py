@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError
@@ -36,14 +37,10 @@ def suffix_of_path(obj: Any) -> str:
     return suffix_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
 
 
-def metric_of_path(obj: Any) -> str:
-    """Return the word of a Toolpath's NC file that says millimetres, "" where the file is in inches; the
-    usual one where its controller is not known."""
+def units_of_path(obj: Any) -> tuple[bool, str]:
+    """Return whether a Toolpath's NC file is in inches, and the word of it that says its units; the usual one
+    where its controller is not known."""
     dialect = dialect_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
-    if dialect is None:
-        return Dialect.metric
-    try:
-        dialect = take_units(obj.ProgramUnits, load_machine(obj.Machine), dialect)
-    except FiveAxisError:
-        return dialect.metric  # and no program is written
-    return dialect.metric if dialect.unit == 1.0 else ""
+    with suppress(FiveAxisError):  # then no program is written, and whoever computes it tells why
+        dialect = dialect and take_units(obj.ProgramUnits, load_machine(obj.Machine), dialect)
+    return (dialect.unit != 1.0, dialect.metric) if dialect else (False, Dialect.metric)

@@ -3227,6 +3227,10 @@
         <translation>Das Programm gibt die Stellungen aller Achsen; jede Steuerung kann es fahren.</translation>
     </message>
     <message>
+        <source>The program is in inches ({word}), whatever this document shows.</source>
+        <translation>Das Programm ist in Zoll ({word}), was immer dieses Dokument zeigt.</translation>
+    </message>
+    <message>
         <source>The program is in millimetres ({word}), whatever this document shows.</source>
         <translation>Das Programm ist in Millimetern ({word}), was immer dieses Dokument zeigt.</translation>
     </message>

@@ -69,12 +69,12 @@ def test_the_high_speed_mode_stands_in_the_program(doc, ball):
 
 def test_a_program_in_inches_says_so_and_the_path_keeps_what_it_is(doc, ball):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller="haas")
-    assert path.ProgramUnits == "machine" and controllers.metric_of_path(path) == "G21"
+    assert path.ProgramUnits == "machine" and controllers.units_of_path(path) == (False, "G21")
     largest, before = path.MaxSurfaceDeviation, results.nc_of(path)
     path.ProgramUnits = "inch"
     doc.recompute()
     nc = results.nc_of(path)
-    assert b"G20" in nc and b"G21" not in nc and controllers.metric_of_path(path) == ""
+    assert b"G20" in nc and b"G21" not in nc and controllers.units_of_path(path) == (True, "G20")
     assert float(path.MaxSurfaceDeviation) == pytest.approx(float(largest), abs=0.003) and nc != before
 
 

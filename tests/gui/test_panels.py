@@ -698,6 +698,14 @@ def test_of_an_inch_document_a_program_in_inches_has_nothing_to_say_either(path,
     assert panel.form.findChild(QtWidgets.QLabel, "post_units") is None
 
 
+def test_of_a_metric_document_it_is_stated_that_the_program_is_in_inches(
+    path, millimetres, tmp_path, post_to, until
+):
+    path.ProgramUnits = "inch"
+    post_to(tmp_path / "part.ngc")
+    until(lambda: "in inches (G20)" in shown("post_units").text(), 20000, "the program's unit")
+
+
 def test_of_a_metric_document_the_programs_unit_is_nothing_to_say(path, millimetres, tmp_path, post_to):
     panel = post_to(tmp_path / "part.ngc")
     assert panel.form.findChild(QtWidgets.QLabel, "post_units") is None

@@ -77,11 +77,11 @@ class Dialect:
     controller takes a rotary word of 0 to 360 by the shorter way, where the machine file says ``modulo``;
     ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before
     and after the number. ``high_speed``: lines that switch the high-speed mode on and off, empty where there
-    is none. ``metric``, ``absolute``: the words of the head for mm and for absolute words; ``inch``: for
-    inches, "" where such programs are not written, and ``inch_decimals`` of their linear words. ``unit``: the
-    mm that linear words and F count. In inches a degree counts in F, where it is measured over all axes, as
-    much as ``inch_degree`` mm (Fanuc: as an inch), and F of rotary axes alone is in inches too where
-    ``inch_turns`` (grbl), else in degrees.
+    is none. ``metric``, ``absolute``: the words of the head for its units, mm, and for absolute words;
+    ``inch``: for inches, "" where such programs are not written, and ``inch_decimals`` of their linear words.
+    ``unit``: the mm that linear words and F count. In inches a degree counts in F, where it is measured over
+    all axes, as much as ``inch_degree`` mm (Fanuc: as an inch), and F of rotary axes alone is in inches too
+    where ``inch_turns`` (grbl), else in degrees.
     ``machine_retract``: the lines that drive Z to the machine coordinate ``{z}``; ``reference_return``: those
     that drive it to its reference point (:mod:`~freecad_fiveaxis.core.nc.start`). ``speed_call``: the line
     that sets the speed where no tool is called, if it is not the spindle's. ``suffix``: how the names of its
@@ -169,6 +169,11 @@ class Dialect:
         from freecad_fiveaxis.core.base.number_text import round_as_printed
 
         return round_as_printed(values, self.decimals(column), self.unit if column < 3 else 1.0)
+
+    def length_text(self, value: float, decimals: int) -> str:
+        """Return a length, mm, as a number of the program: in mm with ``decimals``, in inches with one
+        more."""
+        return f"{value / self.unit:.{decimals + (self.unit != 1.0)}f}"
 
     def in_inches(self) -> Dialect:
         """Return the same controller with programs in inches. Raises SettingsError where none are written for

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from freecad_fiveaxis.core.base.rapids import UNKNOWN
 
-from .dialect import ANGLES, VECTORS, Dialect, Guide
+from .dialect import ANGLES, INCH, VECTORS, Dialect, Guide
 
 FANUC = Dialect(
     name="fanuc",
@@ -60,7 +60,7 @@ an omitted one counts as 0; the rotary axes take the shorter way. G05.1 Q1 is AI
     },
     feed_decimals=3,
     inch_decimals=4,
-    inch_degree=25.4,
+    inch_degree=INCH,
     rapids=UNKNOWN,
     inverse_decimals=3,
     largest_feed=99_999.0,

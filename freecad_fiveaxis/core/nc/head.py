@@ -98,7 +98,7 @@ def slot_texts(
     return {
         "title": dialect.remark(f"for {title}"),
         "program": f"{options.program:04d}",
-        "path": dialect.blend_path.format(blend=_tolerance(dialect, options.blend))
+        "path": dialect.blend_path.format(blend=dialect.length_text(options.blend, 4))
         if options.blend > 0.0
         else dialect.exact_path,
         "offset": dialect.work_offset.format(offset=options.offset),
@@ -116,28 +116,20 @@ def slot_texts(
         ),
         "shorter": dialect.shorter_on if modulo else dialect.shorter_off,
         "number": "" if options.tool is None else str(options.tool),
-        "tolerance": _tolerance(dialect, options.blend or USUAL_TOLERANCE),
+        "tolerance": dialect.length_text(options.blend or USUAL_TOLERANCE, 4),
         "cutter": _cutter(dialect, options),
         **start,
     }
-
-
-def _tolerance(dialect: Dialect, value: float) -> str:
-    """Return a tolerance, mm, as a number of the program; in inches with the digit more that these need."""
-    return f"{value:.4f}" if dialect.unit == 1.0 else f"{value / dialect.unit:.5f}"
 
 
 def _cutter(dialect: Dialect, options: PostOptions) -> str:
     """Return a comment as ``(T3 BALL 10 MM, L 120.000)``. Its commas are harmless: no instruction begins with
     a tool or a cutter."""
     number = "" if options.tool is None else f"T{options.tool} "
-    length = "" if options.length is None else f", L {_tool_length(dialect, options.length)}"
+    unit = "" if dialect.unit == 1.0 else " IN"
+    length = "" if options.length is None else f", L {dialect.length_text(options.length, 3)}{unit}"
     text = (number + (options.cutter or "cutter as the operator has set it") + length).upper()
     return dialect.comment[0] + text + dialect.comment[1]
-
-
-def _tool_length(dialect: Dialect, length: float) -> str:
-    return f"{length:.3f}" if dialect.unit == 1.0 else f"{length / dialect.unit:.4f} IN"
 
 
 def _tool(dialect: Dialect, options: PostOptions) -> str:

@@ -245,14 +245,18 @@ class PostPanel:
 
 
 def _units_row(path: Any) -> list[Any]:
-    """Where the user works in inches: that the program does not."""
-    from freecad_fiveaxis.app.controllers import metric_of_path
+    """Where the user works in inches and the program does not, or the other way round: which it does."""
+    from freecad_fiveaxis.app.controllers import units_of_path
     from freecad_fiveaxis.app.units import inches
 
-    word = metric_of_path(path)
-    if not (inches() and word):
+    in_inches, word = units_of_path(path)
+    if in_inches == inches():
         return []
-    text = translate("FiveAxis", "The program is in millimetres ({word}), whatever this document shows.")
+    text = (
+        translate("FiveAxis", "The program is in inches ({word}), whatever this document shows.")
+        if in_inches
+        else translate("FiveAxis", "The program is in millimetres ({word}), whatever this document shows.")
+    )
     note = note_line("post_units")
     note.setText(text.format(word=word))
     note.setVisible(True)
