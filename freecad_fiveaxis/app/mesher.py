@@ -10,11 +10,13 @@ nothing of this add-on, which that FreeCAD need not know.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 import os
 import sys
 import traceback
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD
@@ -75,24 +77,35 @@ def _mesh_file(task: dict[str, Any], folder: str) -> dict[str, Any]:
 
 
 def _reason(error: Exception) -> str:
-    """Say in one line why a file was not meshed. What FreeCAD raises holds a dictionary, and the sentence is
-    in that."""
-    held = error.args[0] if error.args else ""
-    if isinstance(held, dict):
-        return f"FreeCAD cannot read it ({' '.join(str(held.get('sErrMsg', '')).split())}); export it again"
+    """Say in one line why a file was not meshed."""
     return " ".join(str(error).split()) or type(error).__name__
+
+
+@contextlib.contextmanager
+def _reading() -> Iterator[None]:
+    """Raise ValueError for whatever FreeCAD raises over a file. Before 1.1 that holds a dictionary, and the
+    sentence is in it."""
+    try:
+        yield
+    except Exception as error:
+        held = error.args[0] if error.args else ""
+        reason = held.get("sErrMsg", "") if isinstance(held, dict) else error
+        reason = " ".join(str(reason).split()) or type(error).__name__
+        raise ValueError(f"FreeCAD cannot read it ({reason}); export it again") from error
 
 
 def _read_shape(path: str, named: str) -> Any:
     """Return the solids of a file, in mm. Raises ValueError where there is none, or not one that is meant."""
     if path.lower().endswith(DOCUMENT):
-        doc = FreeCAD.openDocument(path, True)
+        with _reading():
+            doc = FreeCAD.openDocument(path, True)
         try:
             return _solid_of(doc, named)
         finally:
             FreeCAD.closeDocument(doc.Name)
     shape = Part.Shape()
-    shape.read(path)
+    with _reading():
+        shape.read(path)
     if not shape.Solids:
         raise ValueError("it holds no solid; export one, or give the part as STL")
     return shape

@@ -10236,6 +10236,10 @@
         <translation>{line} ist kein Werkzeug; Nummer, Fräser und Namen schreiben, wie T3 ball:6:30 Schlichter</translation>
     </message>
     <message>
+        <source>{line} lacks the number of its loop: DO1 ... END1</source>
+        <translation>{line} fehlt die Nummer seiner Schleife: DO1 ... END1</translation>
+    </message>
+    <message>
         <source>{links} are all called {word}; give only one of them that name</source>
         <translation>{links} heißen alle {word}; geben Sie nur einem davon diesen Namen</translation>
     </message>

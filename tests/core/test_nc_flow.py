@@ -146,7 +146,8 @@ def test_a_loop_that_does_not_end_is_left_soon_when_the_work_is_stopped(
     [
         ("o<other> call", "not in this file"), ("M98 P77", "not in this file"), ("o1 if [1]", "no end"), ("o1 endif", "no begin"),
         ("GOTO 99", "N99"), ("M98", "by P alone"), ("o1 break", "no loop"), ("M72", "modes"), ("G1 X[1", "missing"), ("o1 if\no1 endif", "condition"),
-        ("END1", "no begin"), ("o1 while 1\no1 endwhile", "not known here"),
+        ("END1", "no begin"), ("o1 while 1\no1 endwhile", "not known here"), ("END#", "number of its loop"), ("END#1", "number of its loop"),
+        ("DO#1", "number of its loop"), ("WHILE[0]DO", "number of its loop"), ("WHILE[0]", "number of its loop"),
     ],
 )  # fmt: skip
 def test_what_is_not_understood_is_named_with_its_line_and_the_plain_blocks_stay(

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import NUMBER, Expression, Parser, Unread, Value, Variables, number
-from .flow import O_WORD, without_number
+from .flow import DO, END, O_WORD, without_number
 
 SPECIAL = re.compile(
     r"[#\[\]=<>@^]|O[0-9]|M0*(?:2|30|7[0-3]|9[789])(?![0-9])|G0*6[567](?![0-9])|GOTO|IF|WHILE|END|DO|THEN"
@@ -117,6 +117,7 @@ def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statemen
     parser = Parser(line, fanuc)
     if parser.takes("WHILE["):
         condition = parser.parse_bracket()
+        _needs_number(DO.match(parser.rest()), line)
         return Macro("WHILE", condition)
     if parser.takes("IF["):
         condition = parser.parse_bracket()
@@ -127,8 +128,15 @@ def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statemen
     if parser.takes("GOTO"):
         return Macro("GOTO", None, _last(parser))
     if line[:2] == "DO" or line[:3] == "END":
+        _needs_number((END if line[:3] == "END" else DO).match(line), line)
         return Macro("END" if line[:3] == "END" else "DO")
     return _block(parser, fanuc)
+
+
+def _needs_number(found: re.Match[str] | None, line: str) -> None:
+    """Raise Unread for a DO or END that pairs with none: only with a number behind it is it one."""
+    if not found:
+        raise Unread(say("{line} lacks the number of its loop: DO1 ... END1", line=repr(line[:20])))
 
 
 def _whole(text: str, fanuc: bool) -> Expression:
