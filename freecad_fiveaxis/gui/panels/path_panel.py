@@ -74,7 +74,12 @@ class PathPanel:
         return self.obj.Blocks > 0 and "Touched" not in self.obj.State and not results.out_of_date(self.obj)
 
     def look_again(self) -> None:
-        """Forget the summary where the part has changed since, or whatever else it is of."""
+        """Forget the summary where the part has changed since, or whatever else it is of; not while it is
+        being computed, when nothing fits yet."""
+        from freecad_fiveaxis.app import long_work
+
+        if long_work.is_running():
+            return
         try:
             self.forget_gone()
             if self.calculated is not None and not self.is_current():
