@@ -56,7 +56,8 @@ def drawn(obj):
     search.apply(FreeCADGui.getDocument(obj.Document.Name).ActiveView.getSceneGraph())
     box = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(800, 600))
     box.apply(search.getPath())
-    return [*box.getBoundingBox().getMin().getValue(), *box.getBoundingBox().getMax().getValue()]
+    bounds = box.getBoundingBox()  # kept: its corners are no more once it goes
+    return [*bounds.getMin().getValue(), *bounds.getMax().getValue()]
 
 
 def test_a_path_that_is_put_into_a_part_is_drawn_where_it_cuts(path, holder, pump, until):
