@@ -18,7 +18,7 @@ from .arguments import names
 from .auditing import audit_options, check_fixtures, compare_with
 from .job_setup import follow
 from .properties import default_value, property_name
-from .results import result_of
+from .results import renew_base, result_of
 
 _OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "AngularDeflection"}
 
@@ -39,6 +39,7 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     _put(obj, MILL, options, settings.get("work_zero"))
     if "fixtures" in settings and list(obj.Fixtures) != list(settings["fixtures"]):
         obj.Fixtures = list(settings["fixtures"])
+    renew_base(obj)
     if "picked" in settings:
         guides.put(obj, settings["picked"])
     if "setup" in settings and obj.Setup is not settings["setup"]:

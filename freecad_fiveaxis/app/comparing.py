@@ -45,6 +45,9 @@ def _task_of(toolpath: Any, fixtures: Sequence[Any] | None) -> results.Task:
     """Return what the toolpath asks of the core, beside other fixtures where some are given."""
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
         raise SelectionError(say("machines are compared on a toolpath: select a toolpath"), toolpath)
+    old = results.say_old_base(toolpath)
+    if old is not None:
+        raise SelectionError(old, toolpath)
     task: results.Task = toolpath.Proxy.task(toolpath)
     if fixtures is None:
         return task

@@ -72,6 +72,11 @@ def progress() -> Progress:
     return _listeners[-1] if _listeners else silent
 
 
+def is_running() -> bool:
+    """Whether long work runs now, and the document is on its way from one state to another."""
+    return bool(_listeners)
+
+
 def run(work: Callable[[Progress], T], listener: Progress | None = None, doc: Any = None) -> T:
     """Return what ``work(progress)`` gives; ``work`` must touch nothing of FreeCAD's.
 

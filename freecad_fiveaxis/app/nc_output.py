@@ -80,6 +80,7 @@ def post_process(
         raise SelectionError(say("only a toolpath can be post-processed: select a toolpath"), toolpath)
     path = Path(nc_path).expanduser().absolute()
     check_replaceable(toolpath.Document, path, overwrite)
+    results.renew(toolpath)
     nc = results.nc_of(toolpath)
     write_all({str(path): nc, **(also or {})})
     obj = _output(toolpath, path)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wrong with an object, said in the report view in one sentence.
 
-FreeCAD prints an error of ``execute`` with Python's trace of calls. Of an error that was foreseen, as of a
+FreeCAD prints an error of ``execute`` with Python's trace of calls, and shows it at the object: in the
+words of the window, which has fields and no options of a command line. Of an error that was foreseen, as of a
 part that was deleted, that trace says nothing to a user; an error that nobody foresaw keeps it.
 """
 
@@ -14,6 +15,8 @@ from collections.abc import Callable
 from typing import Any
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError
+
+from . import wording
 
 LIMIT = "tracebacklimit"
 """Python's own switch: FreeCAD has Python print the trace, which then prints none."""
@@ -60,7 +63,8 @@ def hide_trace(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None
 
 
 def _traceless(error: FiveAxisError) -> FiveAxisError:
-    """Return the same error, which nothing else holds."""
+    """Return the same error in the words of the window, which nothing else holds."""
     copied = copy.copy(error)
+    copied.args = (wording.localize(error), *error.args[1:])
     copied.__dict__["traceless"] = _Traceless()
     return copied

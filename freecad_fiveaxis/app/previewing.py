@@ -96,7 +96,12 @@ def _find_facets(
 def _is_meshed(part: Part) -> bool:
     """Whether the mesh object is that of the part as it is now."""
     mesh = part.mesh
-    if mesh is None or mesh.State != ["Up-to-date"] or mesh.MadeOf != tessellation.hash_inputs(mesh):
+    if (
+        mesh is None
+        or mesh.State != ["Up-to-date"]
+        or mesh.MadeOf != tessellation.hash_inputs(mesh)
+        or tessellation.has_moved(mesh)
+    ):
         return False
     known = (mesh.LinearDeflection.Value, mesh.AngularDeflection.Value, tessellation.name_avoided(mesh))
     same_faces = tessellation.find_base_and_faces(mesh)[1] == tuple(part.faces)

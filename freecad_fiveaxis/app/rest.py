@@ -199,11 +199,8 @@ def out_of_date(obj: Any) -> str:
         return wording.localize(say("The toolpath of {label} was deleted", label=obj.Label))
     if why := results.out_of_date(obj.Path):
         return why
-    return (
-        ""
-        if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint
-        else f"{obj.Label} is old: recompute the document"
-    )
+    same = obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint
+    return "" if same else wording.localize(say("{label} is old: recompute the document", label=obj.Label))
 
 
 def _show(obj: Any, found: Heights) -> None:

@@ -40,6 +40,6 @@ def _is_current_mesh(obj: Any) -> bool:
     if base is None or "Touched" in base.State or "Invalid" in base.State or not obj.MadeOf:
         return False
     try:
-        return bool(tessellation.hash_inputs(obj) == obj.MadeOf)
+        return bool(tessellation.hash_inputs(obj) == obj.MadeOf) and not tessellation.has_moved(obj)
     except FiveAxisError:  # it says so itself when it is recomputed
         return False

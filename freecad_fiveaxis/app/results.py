@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisErro
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Bools
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Sentence, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.machine import Machine, load_machine
@@ -36,6 +36,7 @@ from .facets import Facets
 from .long_work import listening, run
 from .properties import list_options
 from .selection import SelectionError
+from .tessellation import Tessellation, has_moved
 
 
 @dataclass(frozen=True)
@@ -219,28 +220,9 @@ def read_judged(obj: Any) -> tuple[float, float]:
 
 def out_of_date(obj: Any) -> str:
     """Why the object does not show the result of its base and settings; an empty text where it does."""
-    if _base_is_gone(obj):
-        return wording.localize(
-            say(
-                "The part that {label} was made of was deleted: undo that, or choose another one in its "
-                "property Base",
-                label=obj.Mesh.Label,
-            )
-        )
-    needed = (
-        _base(obj),
-        getattr(obj, "Mesh", None),
-        getattr(obj, "Part", None),
-        *getattr(obj, "Fixtures", ()),
-    )
-    before = [one for one in needed if one is not None]
-    for one in (*before, obj):
-        if "Invalid" in one.State:
-            return wording.localize(
-                say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString())
-            )
-        if "Touched" in one.State and one is not obj:
-            return wording.localize(say("{label} was changed: recompute the document", label=one.Label))
+    old = say_old_base(obj, obj)
+    if old is not None:
+        return wording.localize(old)
     try:
         same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
     except FiveAxisError as error:
@@ -250,6 +232,59 @@ def out_of_date(obj: Any) -> str:
         label=obj.Label,
     )
     return "" if same else wording.localize(text)
+
+
+def say_old_base(obj: Any, *too: Any) -> Sentence | None:
+    """Return why what the object is computed from waits for a recompute, None where it does not; where one of
+    that, or of those named ``too``, could not be computed, why."""
+    if _base_is_gone(obj):
+        return say(
+            "The part that {label} was made of was deleted: undo that, or choose another one in its "
+            "property Base",
+            label=obj.Mesh.Label,
+        )
+    names = ("Mesh", "Part")
+    needed = (_base(obj), *(getattr(obj, name, None) for name in names), *getattr(obj, "Fixtures", ()))
+    for one in (*(one for one in needed if one is not None), *too):
+        if "Invalid" in one.State:
+            return say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString())
+        if "Touched" in one.State and one is not obj:
+            return say("{label} was changed: recompute the document", label=one.Label)
+    if is_moved_mesh(getattr(obj, "Mesh", None)):
+        return say(
+            "{label} was moved by the part that holds it: recompute the document", label=_base(obj).Label
+        )
+    return None
+
+
+def is_moved_mesh(mesh: Any) -> bool:
+    """Whether it is a tessellation whose base, or itself, was moved by what holds it since it was made."""
+    return isinstance(getattr(mesh, "Proxy", None), Tessellation) and has_moved(mesh)
+
+
+def renew(obj: Any) -> None:
+    """Bring a Toolpath up to date where its solid, a fixture or its mesh waits for a recompute. Raises
+    FiveAxisError, Cancelled."""
+    if renew_base(obj):
+        result_of(obj)
+        obj.Document.recompute([obj])
+
+
+def renew_base(obj: Any) -> bool:
+    """Bring up to date what a Toolpath is made of, where one of that waits for a recompute; whether one did.
+    Raises FiveAxisError, Cancelled."""
+    base: Any = _base(obj)
+    mesh: Any = getattr(obj, "Mesh", None)
+    waiting = [one for one in (base, *getattr(obj, "Fixtures", ())) if one and "Touched" in one.State]
+    if waiting:
+        obj.Document.recompute(waiting)
+    if not isinstance(getattr(mesh, "Proxy", None), Tessellation) or base is None:
+        return bool(waiting)
+    if base not in waiting and "Touched" not in mesh.State and not has_moved(mesh):
+        return bool(waiting)
+    mesh.Proxy.build(mesh)
+    obj.Document.recompute([mesh])
+    return True
 
 
 def tells_of(obj: Any) -> bool:

@@ -66,7 +66,15 @@ PROPERTIES = (
             "of"), "",
         RESULT | HIDDEN | OUTPUT,
     ),
+    Property(
+        "HolderPlaces", "App::PropertyFloatList", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Where the parts that hold the base and the mesh stood when the "
+            "mesh was made"), [],
+        RESULT | HIDDEN | OUTPUT,
+    ),
 )  # fmt: skip
+SAME_PLACE = 1e-6
+"""mm, and of a direction's components: what stands nearer than this has not been moved."""
 
 
 class Tessellation(Proxy):
@@ -98,8 +106,9 @@ class Tessellation(Proxy):
             mesh, runs, off = mesh_base(base, faces, *deflections, progress, name_avoided(obj))
             progress("tessellate", 1.0)
         check_open(doc)
+        mesh.Placement = selection.holder_of(obj).inverse().multiply(mesh.Placement)
         obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, hash_inputs(obj)
-        obj.AvoidedRuns = off
+        obj.AvoidedRuns, obj.HolderPlaces = off, find_holder_places(obj)
         self.built = True
 
     def avoided_runs(self, obj: Any) -> list[int]:
@@ -118,10 +127,14 @@ class Tessellation(Proxy):
         if name in ("Base", "Avoid", "LinearDeflection", "AngularDeflection"):
             self.built = False
 
+    def mustExecute(self, obj: Any) -> bool:
+        """FreeCAD asks whether it is to be recomputed though nothing that it leads to has changed."""
+        return has_moved(obj)
+
     @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
-        if not self.built:
+        if not self.built or has_moved(obj):
             self.build(obj)
         self.built = False
 
@@ -169,6 +182,20 @@ def hash_inputs(obj: Any) -> str:
         [name_avoided(obj)] if name_avoided(obj) else []
     )  # documents that know of none keep their checksums
     return hashlib.sha256(repr(tuple(inputs)).encode()).hexdigest()
+
+
+def find_holder_places(obj: Any) -> list[float]:
+    """Return the matrices of where the parts stand that hold the base and the mesh; empty without a base."""
+    base = find_base_and_faces(obj)[0]
+    return [] if base is None else [part for one in (base, obj) for part in selection.holder_of(one).Matrix.A]
+
+
+def has_moved(obj: Any) -> bool:
+    """Whether the base, or the mesh, was moved since the mesh was made by what holds it: of that FreeCAD's
+    links know nothing. Not known of a mesh that an earlier version made."""
+    before = getattr(obj, "HolderPlaces", None)
+    now = find_holder_places(obj) if before else []
+    return any(abs(one - other) > SAME_PLACE for one, other in zip(before or [], now, strict=False))
 
 
 def find_base_and_faces(obj: Any) -> tuple[Any, tuple[str, ...]]:

@@ -7,13 +7,16 @@ Nothing here imports numpy: it runs when FreeCAD's window starts.
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
 from typing import Any
 
 import FreeCAD
 
+from . import redraw
 from .failures import guards
 from .qt import later
+from .views import HOLDER
 
 VIEWS = {
     "freecad_fiveaxis.app.tessellation": "view_providers.TessellationView",
@@ -44,6 +47,8 @@ class Observer:
             attach(obj)
         elif name == "Path" and hasattr(getattr(obj, "Path", None), "Proxy"):
             _adopt(obj.Path)
+        elif name in ("Group", "Placement") and obj.hasExtension(HOLDER):
+            _stand_anew(obj.Document)
         elif name != "Visibility":
             _look_again(obj.Document, obj)
 
@@ -64,6 +69,7 @@ class Observer:
     def slotUndoDocument(self, doc: Any) -> None:
         """Settle what undo brings back: it may be current, though FreeCAD would have it recomputed."""
         later(lambda: _settle(doc))
+        _tell_panel(doc)
 
     def slotRedoDocument(self, doc: Any) -> None:
         """Settle what redo brings back."""
@@ -137,6 +143,15 @@ def _forget(gone: Any) -> None:
     comparison_table.forget(gone)
 
 
+def _stand_anew(doc: Any) -> None:
+    """Draw all of a document anew: a part holds other objects, or was moved with those that it holds."""
+    _look_again(doc)
+    for obj in doc.Objects:
+        view = _view_of(obj)
+        if hasattr(view, "stand_in_document"):
+            redraw.soon(view)
+
+
 def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
     """Let the paths and maps that depend on ``changed`` (None: all), or only those that say so already, see
     whether they are old."""
@@ -146,3 +161,11 @@ def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
             continue
         if not only_old or view.says_old():
             view.look_again()
+    _tell_panel(doc)
+
+
+def _tell_panel(doc: Any) -> None:
+    """Let the panel that is open, if there is one, see whether what it shows is still right."""
+    panels = sys.modules.get(f"{__package__}.panels.path_panel")
+    if panels is not None:
+        panels.look_again(doc)

@@ -51,6 +51,13 @@ def renew(path: Any) -> None:
         panel.show_path(path)
 
 
+def show_old(path: Any, why: str) -> None:
+    """Say above the list why what it lists of the path is out of date; empty where it is not."""
+    panel = _docks.get("panel")
+    if panel is not None and panel.path is path:
+        panel.show_old(why)
+
+
 def forget(gone: Any) -> None:
     """Forget what is listed of a path or a document that is gone."""
     panel = _docks.get("panel")
@@ -97,7 +104,9 @@ class Panel:
     """The table and the text below it."""
 
     def __init__(self, dock: Any) -> None:
-        self.dock = dock
+        from .panels.lines import warning_line
+
+        self.dock, self.old = dock, warning_line(NAME + "Old")
         self.path: Any = None
         self.document: Any = None
         self.figures: Any = None
@@ -122,6 +131,7 @@ class Panel:
         self.verdict = VerdictLabel(NAME + "Verdict")
         whole = QtWidgets.QWidget()
         column = QtWidgets.QVBoxLayout(whole)
+        column.addWidget(self.old)
         column.addWidget(self.verdict)
         column.addWidget(split, 1)
         dock.setWidget(whole)
@@ -129,12 +139,14 @@ class Panel:
 
     def show_path(self, path: Any) -> None:
         """List the findings of a path whose result is there."""
+        from freecad_fiveaxis.app import results
         from freecad_fiveaxis.core.report import list_findings
 
         figures = path.Proxy.last.figures
         self.path, self.document = path, path.Document
         self.dock.setWindowTitle(translate("FiveAxis", "Findings of {label}").format(label=path.Label))
         self.verdict.show_verdict(path)
+        self.show_old(results.out_of_date(path))
         if figures is self.figures:
             return
         self.figures = figures
@@ -142,8 +154,14 @@ class Panel:
         self._fill()
         self.text.setHtml(_scope_page(figures, bool(self.rows)))
 
+    def show_old(self, why: str) -> None:
+        """Show why what is listed is out of date, in amber above the verdict; empty: it is not."""
+        self.old.setText(why)
+        self.old.setVisible(bool(why))
+
     def clear(self) -> None:
         """List nothing."""
+        self.show_old("")
         self.path = self.document = self.figures = None
         self.rows, self.row_of_marker = (), ()
         self._fill()

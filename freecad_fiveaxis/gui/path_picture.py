@@ -50,6 +50,7 @@ class Picture:
         if self.checked is None:
             self.checked = results.out_of_date(self.obj)
             results.touch_other(self.obj)
+            findings_panel.show_old(self.obj, self.checked)
         if self.drawing is None:
             self.nodes.clear()
         elif not self.styled:

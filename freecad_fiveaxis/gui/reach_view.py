@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD
 
 from . import redraw, view_properties
-from .views import MapView, kind_of
+from .views import MapView, hangs_on, kind_of
 
 
 class ReachMapView(MapView):
@@ -50,7 +50,7 @@ class ReachMapView(MapView):
         mesh = getattr(own, "Mesh", None)
         base = getattr(mesh, "Base", None)
         needed = (own, mesh, base[0] if isinstance(base, tuple) else base, *getattr(own, "Fixtures", ()))
-        return any(one is not None and obj is one for one in needed)
+        return hangs_on(needed, obj)
 
     def says_old(self) -> bool:
         """Whether the picture says that it is out of date."""

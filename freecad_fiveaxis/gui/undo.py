@@ -24,8 +24,8 @@ class OpenStep:
         self._settled: list[str] = []
 
     def begin(self) -> None:
-        """Open the step unless it is open."""
-        if not self.is_open:
+        """Open the step unless it is open: FreeCAD ends it where the user presses Undo meanwhile."""
+        if not self.is_open or not self.doc.HasPendingTransaction:
             self._settled = [obj.Name for obj in self.doc.Objects if "Touched" not in obj.State]
             self.doc.openTransaction(self.name)
             self.is_open = True
@@ -47,6 +47,15 @@ class OpenStep:
     def has_document(self) -> bool:
         """Whether the document is still open."""
         return FreeCAD.listDocuments().get(self._doc_name) is self.doc
+
+
+def is_there(obj: Any) -> bool:
+    """Whether an object is in its document: neither deleted nor undone."""
+    try:
+        name = obj.Name  # of what was undone it is an error in FreeCAD 0.20, and None in 1.1
+        return bool(name) and obj.Document.getObject(name) is not None
+    except (ReferenceError, RuntimeError, AttributeError):
+        return False
 
 
 @contextmanager

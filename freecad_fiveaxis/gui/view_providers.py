@@ -13,7 +13,7 @@ from typing import Any
 import FreeCAD
 
 from . import foremost, redraw, view_properties
-from .views import DrawnView, MapView, PictureView, View, WithPanel, kind_of
+from .views import DrawnView, MapView, PictureView, View, WithPanel, hangs_on, kind_of
 
 CHILDREN = ("markers", "nc_output", "setups", "rest")
 """What stands below its path."""
@@ -88,9 +88,8 @@ class PathView(WithPanel, DrawnView):
         mesh = getattr(self.obj, "Mesh", None)
         base = getattr(mesh, "Base", None)
         part = getattr(self.obj, "Part", None)  # what an audit compares with
-        return obj in (self.obj, mesh, base[0] if isinstance(base, tuple) else base) or (
-            part is not None and obj is part
-        )
+        held = (base[0] if isinstance(base, tuple) else base, part, *getattr(self.obj, "Fixtures", ()))
+        return hangs_on((self.obj, mesh, *held), obj)
 
     def adopt(self) -> None:
         """Let the tree ask for the path's children again: it has a new one."""
@@ -121,6 +120,7 @@ class PathView(WithPanel, DrawnView):
             self.picture = Picture(self.vobj)
             self.root.addChild(self.picture.nodes.root)
             foremost.look()  # the object may be selected already
+        self.stand_in_document()
         self.picture.refresh()
 
     def restyle(self) -> None:

@@ -6,6 +6,7 @@ Nothing here imports numpy or pivy before something is drawn.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from . import foremost, redraw, view_properties
@@ -30,6 +31,31 @@ def kind_of(obj: Any) -> str:
     module = type(getattr(obj, "Proxy", None)).__module__
     name = module[len(APP) :] if module.startswith(APP) else ""
     return KINDS.get(name, name)
+
+
+IDENTITY = tuple(float(at % 5 == 0) for at in range(16))
+"""The rows of a matrix that moves nothing."""
+HOLDER = "App::GeoFeatureGroupExtension"
+"""What a part or a body is to FreeCAD: it moves what it holds."""
+
+
+def list_holders(obj: Any) -> list[Any]:
+    """Return the parts and bodies that hold the object, the innermost first."""
+    found, holder = list[Any](), obj.getParentGeoFeatureGroup()
+    while holder is not None:
+        found.append(holder)
+        holder = holder.getParentGeoFeatureGroup()
+    return found
+
+
+def hangs_on(needed: Iterable[Any], obj: Any) -> bool:
+    """Whether the object is one of those needed, or moves one of them with it."""
+    there = [one for one in needed if one is not None]
+    if any(one is obj for one in there):
+        return True
+    return bool(obj.hasExtension(HOLDER)) and any(
+        obj is holder for one in there for holder in list_holders(one)
+    )
 
 
 class View:
@@ -73,7 +99,8 @@ class DrawnView(View):
         from pivy import coin
 
         super().attach(vobj)
-        self.root = coin.SoSeparator()
+        self.root, self.stand = coin.SoSeparator(), coin.SoMatrixTransform()
+        self.root.addChild(self.stand)
         vobj.addDisplayMode(self.root, MODE)
         redraw.soon(self)
 
@@ -92,6 +119,13 @@ class DrawnView(View):
     def refresh(self) -> None:
         """Draw what the object shows now; called when the window is idle."""
         raise NotImplementedError
+
+    def stand_in_document(self) -> None:
+        """Draw in the document's coordinates, in which the path is computed, also where the object was put
+        into a part, with which FreeCAD would move the drawing."""
+        holders = list_holders(self.obj)
+        rows = holders[0].getGlobalPlacement().inverse().Matrix.A if holders else IDENTITY
+        self.stand.matrix.setValue(*(rows[4 * column + row] for row in range(4) for column in range(4)))
 
     def updateData(self, obj: Any, prop: str) -> None:
         """Hear that a property of the object has changed. While a document is read, FreeCAD calls this before
@@ -171,6 +205,7 @@ class PictureView(DrawnView):
             self.picture = self.make_picture()
             self.root.addChild(self.picture.root)
             foremost.look()  # the object may be selected already
+        self.stand_in_document()
         self.picture.refresh()
 
     def make_picture(self) -> Any:

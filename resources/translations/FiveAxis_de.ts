@@ -492,6 +492,10 @@
         <translation>Halter im Weg</translation>
     </message>
     <message>
+        <source>Holder Places</source>
+        <translation>Orte der Halter</translation>
+    </message>
+    <message>
         <source>How certain the offsets should be, and how near to those of the machine they are compared with</source>
         <translation>Wie sicher die Versätze sein sollen und wie nahe an denen der Maschine, mit der verglichen wird</translation>
     </message>
@@ -1558,6 +1562,10 @@
     <message>
         <source>Where the markers stand in the document</source>
         <translation>Wo die Markierungen im Dokument stehen</translation>
+    </message>
+    <message>
+        <source>Where the parts that hold the base and the mesh stood when the mesh was made</source>
+        <translation>Wo die Teile standen, in denen Basis und Netz stecken, als das Netz gemacht wurde</translation>
     </message>
     <message>
         <source>Where the surface is steeper than this from the horizontal, level planes are cut instead of the passes chosen; 0: nowhere</source>
@@ -3567,6 +3575,10 @@
         <translation>Worauf das Urteil beruht</translation>
     </message>
     <message>
+        <source>What this panel changes was deleted or undone meanwhile: press Cancel.</source>
+        <translation>Was dieser Dialog ändert, wurde inzwischen gelöscht oder rückgängig gemacht: Abbrechen drücken.</translation>
+    </message>
+    <message>
         <source>What would finish more?</source>
         <translation>Was würde mehr fertig bearbeiten?</translation>
     </message>
@@ -4519,6 +4531,14 @@
     <message>
         <source>{what}: all, the worst at</source>
         <translation>{what}: alle, der schlimmste bei</translation>
+    </message>
+    <message>
+        <source>{} is the name of the report too: name the NC file otherwise.</source>
+        <translation>{} heißt auch der Bericht: NC-Datei anders nennen.</translation>
+    </message>
+    <message>
+        <source>{} is this document: name another file.</source>
+        <translation>{} ist dieses Dokument: eine andere Datei nennen.</translation>
     </message>
     <message>
         <source>{} s</source>
@@ -10108,6 +10128,10 @@
         <translation>{label} ist weder Werkzeugweg noch Prüfung: eines davon auswählen.</translation>
     </message>
     <message>
+        <source>{label} is old: recompute the document</source>
+        <translation>{label} ist veraltet: das Dokument neu berechnen</translation>
+    </message>
+    <message>
         <source>{label} is the part that is milled: choose what holds it, or no fixture.</source>
         <translation>{label} ist das Teil, das gefräst wird: wählen Sie, was es hält, oder kein Spannmittel.</translation>
     </message>
@@ -10134,6 +10158,10 @@
     <message>
         <source>{label} was made by an earlier version, which did not keep where the faces to be left alone are: recompute it, that is mark it to recompute in the tree and recompute the document.</source>
         <translation>{label} stammt von einer früheren Version, die nicht festhielt, wo die ausgesparten Flächen sind: neu berechnen, also im Baum zum Neuberechnen markieren und das Dokument neu berechnen.</translation>
+    </message>
+    <message>
+        <source>{label} was moved by the part that holds it: recompute the document</source>
+        <translation>{label} wurde mit dem Teil bewegt, in dem es steckt: das Dokument neu berechnen</translation>
     </message>
     <message>
         <source>{label}: {errors}</source>

@@ -11,6 +11,8 @@ import pytest
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app.plain_errors import hide_trace
 from freecad_fiveaxis.app.selection import SelectionError
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.sentences import Option, say
 
 
 class Failing:
@@ -41,6 +43,12 @@ def test_the_error_is_the_same_in_kind_in_words_and_in_value():
     with pytest.raises(SelectionError, match="was deleted") as reported:
         Failing(SelectionError("The part was deleted.", 7)).execute(None)
     assert reported.value.value == 7 and reported.value.text == "The part was deleted."
+
+
+def test_it_names_the_field_and_not_the_option_of_the_command_line():
+    error = SettingsError(say("the head turns: give {option}", option=Option("tool_length")), 0.0)
+    assert "give --tool-length" in str(error)
+    assert "the head turns: give Tool length" in printed(error)
 
 
 @pytest.mark.parametrize("before", [None, 5])

@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Any
 
-from freecad_fiveaxis.gui.qt import QtCore, translate
+from freecad_fiveaxis.gui.qt import translate
 
 from .fields import ChoiceField
 from .files import FileField
 from .fixtures import FixturesField
 from .form import Form, Section, group_sections
-from .path_panel import DRAWN, PathPanel, fit, show
+from .path_panel import PathPanel, fit_soon, show
 from .picking import PointField
 from .post import nc_files
 
@@ -92,7 +92,7 @@ class AuditPanel(PathPanel):
             else app.audit(self.doc, path, **settings)
         )
         if empty:  # nobody has chosen a view yet
-            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
+            fit_soon(self.doc)
         return audited
 
     def finish(self) -> None:

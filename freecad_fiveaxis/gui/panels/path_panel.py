@@ -20,7 +20,7 @@ from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import ask, status, warn
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, flags, later, translate
 from freecad_fiveaxis.gui.shown_parts import ShownParts
-from freecad_fiveaxis.gui.undo import OpenStep
+from freecad_fiveaxis.gui.undo import OpenStep, is_there
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
@@ -44,7 +44,7 @@ class PathPanel:
 
     def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
         self.doc, self.title, self.options, self.obj = doc, title, form, obj
-        self.draft = obj is None
+        self.draft, self.gone = obj is None, False
         self.step = OpenStep(doc, title)
         self.calculated: dict[str, Any] | None = None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
@@ -68,13 +68,39 @@ class PathPanel:
         self._on_edit()
 
     def is_current(self) -> bool:
-        """Whether the object that is there shows the result of its settings."""
-        return self.obj.Blocks > 0 and "Touched" not in self.obj.State
+        """Whether the object that is there shows the result of its part and its settings."""
+        from freecad_fiveaxis.app import results
+
+        return self.obj.Blocks > 0 and "Touched" not in self.obj.State and not results.out_of_date(self.obj)
+
+    def look_again(self) -> None:
+        """Forget the summary where the part has changed since, or whatever else it is of; not while it is
+        being computed, when nothing fits yet."""
+        from freecad_fiveaxis.app import long_work
+
+        if long_work.is_running():
+            return
+        try:
+            self.forget_gone()
+            if self.calculated is not None and not self.is_current():
+                self.calculated = None
+                self._on_edit()
+        except (ReferenceError, RuntimeError):  # the object was deleted, or the panel closed by somebody else
+            return
 
     @property
     def stale(self) -> bool:
         """Whether OK has to calculate."""
         return self.calculated is None or self.calculated != self.options.read_values()
+
+    def forget_gone(self) -> None:
+        """Where the object was undone or deleted, what is computed next is a new one; one that was there
+        before is gone for good."""
+        if self.obj is None or is_there(self.obj):
+            return
+        self.obj = self.calculated = None
+        self.gone = not self.draft
+        self._on_edit()
 
     def compute(self) -> Any:
         """Make or change the object in the document and compute it; returns it. Raises FiveAxisError."""
@@ -87,7 +113,8 @@ class PathPanel:
         """Compute what the form says and show the summary; whether that went well. Otherwise the document is
         as before."""
         self.options.want()
-        if not self.options.check():
+        self.forget_gone()
+        if not self.options.check() or self._say_gone():
             self.summary.forget()
             return False
         self.step.begin()
@@ -102,6 +129,14 @@ class PathPanel:
         self._on_edit()
         reveal(self.form)
         return True
+
+    def _say_gone(self) -> bool:
+        """Say in red that the object has gone; whether it has."""
+        text = translate("FiveAxis", "What this panel changes was deleted or undone meanwhile: press Cancel.")
+        if self.gone:
+            self.options.show_error(text)
+            reveal(self.form)
+        return self.gone
 
     def _undone(self) -> None:
         self.step.take_back()
@@ -121,6 +156,7 @@ class PathPanel:
         reveal(self.form)
 
     def _on_edit(self) -> None:
+        self.forget_gone()
         self.options.check()
         if self.stale:
             self.summary.forget()
@@ -139,6 +175,7 @@ class PathPanel:
     def accept(self) -> bool:
         """OK: calculate if that is not done, keep what there is, close. The panel stays where something
         cannot be used, and where the path is not safe and the user goes back to change that."""
+        self.look_again()
         if (self.stale and not self.calculate()) or not self._ask_to_keep() or not self._try_to_finish():
             return False
         self.step.keep()
@@ -171,6 +208,7 @@ class PathPanel:
         for field in self.options.fields.values():
             if hasattr(field, "pick"):
                 field.pick.stop()
+        _shown.clear()
         FreeCADGui.Control.closeDialog()
         if self.step.has_document() and FreeCADGui.getDocument(self.doc.Name).getInEdit():
             FreeCADGui.getDocument(self.doc.Name).resetEdit()
@@ -187,13 +225,33 @@ def show(panel: Any) -> Any:
     shorten_title(panel.form)
     FreeCADGui.Control.showDialog(panel)
     keys.belong_to(panel.form)
+    _shown[:] = [panel]
     return panel
+
+
+_shown: list[Any] = []
+"""The panel that was shown last."""
+_due: list[Any] = []
+"""It, where it is to look at the document once the window is idle."""
+
+
+def look_again(doc: Any) -> None:
+    """Have the panel that is open over a document see, once the window is idle, whether it is out of date."""
+    if _shown and not _due and getattr(_shown[0], "doc", None) is doc and hasattr(_shown[0], "look_again"):
+        _due.append(_shown[0])
+        later(lambda: _due.pop().look_again())
 
 
 def fit(name: str) -> None:
     """Show all of a document, unless it was closed meanwhile."""
     if name in FreeCAD.listDocuments() and hasattr(FreeCADGui.getDocument(name).ActiveView, "fitAll"):
         FreeCADGui.getDocument(name).ActiveView.fitAll()
+
+
+def fit_soon(doc: Any) -> None:
+    """Show all of a document once what is new is drawn, unless it was closed meanwhile."""
+    name = doc.Name
+    QtCore.QTimer.singleShot(DRAWN, lambda: fit(name))
 
 
 def is_seen(name: str, box: Any) -> bool:

@@ -52,6 +52,13 @@ class PostPanel:
         self.form = self._widget()
         self._show_poor()
         self.file.show_value(propose_name(path))
+        self._say_old()
+
+    def _say_old(self) -> None:
+        """Say where the verdict is not that of the part as it is; OK computes it anew."""
+        from freecad_fiveaxis.app import results
+
+        self.show_error(results.out_of_date(self.path))
 
     def _widget(self) -> Any:
         widget = QtWidgets.QWidget()
@@ -142,10 +149,12 @@ class PostPanel:
         from freecad_fiveaxis.core.report import summary
 
         nc, reports = self._nc_path(), self._report_paths()
-        for path in reports.values():
+        for path in (nc, *reports.values()):
             check_writable(path)
+        self._check_names(nc, reports)
         title = translate("FiveAxis", "Post-process")
         with transaction(self.path.Document, title), waiting(title):
+            results.renew(self.path)
             self._put_spindle()
             figures = results.figures_of(self.path)
         self._show_poor()
@@ -163,6 +172,19 @@ class PostPanel:
             lines = results.nc_of(self.path).count(b"\n")
         written.tell(nc, lines, summary(figures)["time_s"])
         return True
+
+    def _check_names(self, nc: str, reports: dict[str, str]) -> None:
+        """Raise FileError where the NC file has the name of a report, or of the document."""
+        from freecad_fiveaxis.core.base.errors import FileError
+
+        own = self.path.Document.FileName
+        texts = [translate("FiveAxis", "{} is the name of the report too: name the NC file otherwise.")] * (
+            nc in reports.values()
+        )
+        if own and os.path.realpath(own) in map(os.path.realpath, (nc, *reports.values())):
+            texts.append(translate("FiveAxis", "{} is this document: name another file."))
+        if texts:
+            raise FileError(texts[0].format(nc), nc)
 
     def _put_spindle(self) -> None:
         """Give the path the speed that was typed here."""

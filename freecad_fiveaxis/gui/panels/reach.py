@@ -13,14 +13,14 @@ from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.app.selection import is_mesh
 from freecad_fiveaxis.core.studies.reach_report import WAYS
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.views import kind_of
 
 from .fields import QuantityField
 from .fixtures import FixturesField
 from .form import Form, Section
-from .path_panel import DRAWN, PathPanel, fit, show
+from .path_panel import PathPanel, fit_soon, show
 from .picking import PointField
 from .setup import table_of
 from .summary import Summary
@@ -144,7 +144,7 @@ class ReachPanel(PathPanel):
         new = self.obj is None
         good = super().calculate()
         if good and new:
-            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
+            fit_soon(self.doc)
         return good
 
     def compute(self) -> Any:

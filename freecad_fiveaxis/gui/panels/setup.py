@@ -14,14 +14,15 @@ from typing import Any
 
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
-from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text, write_number
+from freecad_fiveaxis.gui.undo import is_there
 from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .fixtures import FixturesField
 from .form import Form
-from .path_panel import DRAWN, PathPanel, fit, reveal, show
+from .path_panel import PathPanel, fit_soon, reveal, show
 from .post import propose_file
 from .summary import Summary, clock
 from .toolpath import find_milled_solid, read_preferred
@@ -125,27 +126,39 @@ class SetupPanel(PathPanel):
         self.shown_parts.show_for(None)
 
     def is_current(self) -> bool:
-        """Whether the map is of its toolpath as it is."""
-        return bool(self.obj.UpToDate)
+        """Whether the map is of its toolpath, and that of its part, as they are."""
+        from freecad_fiveaxis.app import results
+
+        path = self.obj.Path
+        return bool(self.obj.UpToDate) and path is not None and not results.out_of_date(path)
 
     def calculate(self) -> bool:
         """Return the places of the map lie about the part: all of them are to be seen."""
         good = super().calculate()
         if good:
-            QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
+            fit_soon(self.doc)
         return good
 
     def compute(self) -> Any:
         """Return the map of the toolpath; over a part, of a new toolpath with the preferences."""
         from freecad_fiveaxis import app
+        from freecad_fiveaxis.app import results
 
         values = self.options.read_values()
-        if self.path is None:
+        if self.path is not None:
+            results.renew(self.path)
+        else:
             held = values["fixtures"]
             self.path = app.create_toolpath(
                 self.doc, self.base, faces=self.faces, fixtures=held, **read_preferred()
             )
         return app.setup_map(self.path, **values)
+
+    def forget_gone(self) -> None:
+        """The path that was made with the map goes with it."""
+        if self.base is not None and self.path is not None and not is_there(self.path):
+            self.path = None
+        super().forget_gone()
 
     def _undone(self) -> None:
         super()._undone()
