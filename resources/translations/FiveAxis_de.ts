@@ -6004,8 +6004,12 @@
         <translation>Das sind Abweichungen von Sätzen, die noch nicht geteilt sind: Die des Programms halten seine Toleranz ein.</translation>
     </message>
     <message>
-        <source>These touch each other with all axes at zero, so they are taken for neighbours and were not looked at against each other: {names}.</source>
-        <translation>Diese berühren einander, wenn alle Achsen auf null stehen; sie gelten als Nachbarn und wurden nicht gegeneinander geprüft: {names}.</translation>
+        <source>These touch each other with all axes at zero and were not looked at against each other, for one is hollow or holds the other: {names}. Divide what is hollow into several bodies.</source>
+        <translation>Diese berühren einander, wenn alle Achsen auf null stehen, und wurden nicht gegeneinander geprüft, denn einer ist hohl oder enthält den anderen: {names}. Hohle Körper in mehrere teilen.</translation>
+    </message>
+    <message>
+        <source>These touch each other with all axes at zero, so they are taken for neighbours; they go nowhere deeper into each other than there: {names}.</source>
+        <translation>Diese berühren einander, wenn alle Achsen auf null stehen, und gelten daher als Nachbarn; sie dringen nirgends tiefer ineinander ein als dort: {names}.</translation>
     </message>
     <message>
         <source>This is told of the path as it was made for {present}: by {axes_by} another tool is given another path.</source>
@@ -6118,6 +6122,10 @@
     <message>
         <source>With a tool that sticks out {more} farther there is a way.</source>
         <translation>Mit einem Werkzeug, das {more} weiter auskragt, gibt es einen Weg.</translation>
+    </message>
+    <message>
+        <source>With all axes at zero they are {depth} in each other.</source>
+        <translation>Mit allen Achsen auf null stecken sie {depth} ineinander.</translation>
     </message>
     <message>
         <source>With rotary axes turning, F means other things on other controls. This one has no inverse time: give each block an F for the way of its axes, as {post} does.</source>
@@ -6668,8 +6676,8 @@
         <translation>Sätze wurden geteilt, damit die Toleranz hält</translation>
     </message>
     <message>
-        <source>bodies that touch at zero are not looked at against each other</source>
-        <translation>Körper, die einander bei null berühren, werden nicht gegeneinander geprüft</translation>
+        <source>bodies that touch at zero go no deeper into each other, or were not looked at</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>body {name}: {carrier} carries no body; name one of {known}</source>

@@ -402,7 +402,7 @@ class Code(str, Enum):
         "machine-touching",
         NOTE,
         "1",
-        "bodies that touch at zero are not looked at against each other",
+        "bodies that touch at zero go no deeper into each other, or were not looked at",
     )
     MACHINE_UNPROVEN = "machine-unproven", WARNING, "mm", "a collision with the machine is not excluded"
     OVERCUT = "overcut", ERROR, "mm", "the cutter enters the part in a feed move"

@@ -100,7 +100,9 @@ class PairInPose:
 
     @staticmethod
     def of(pair: CarriedPair, at: Ints, pared: float, margin: float, low: Floats, high: Floats) -> PairInPose:
-        """Give the pair of which ``pared`` mm may be in each other, thicker by ``margin`` mm."""
+        """Give the pair of which ``pared`` mm may be in each other, thicker by ``margin`` mm; neighbours are
+        not, but may be in each other by what is granted to them."""
+        pared, margin = pared + (pair.granted or 0.0), margin if pair.granted is None else 0.0
         standing, rounds = pair.standing.piece, pair.moved.piece.round + pair.standing.piece.round
         if rounds:
             return PairInPose(pair.motion, standing, at, margin - min(pared, 0.99 * rounds), low, high)
