@@ -6677,7 +6677,7 @@
     </message>
     <message>
         <source>bodies that touch at zero go no deeper into each other, or were not looked at</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper, die sich in der Nullstellung berühren, dringen nicht tiefer ineinander ein oder wurden nicht geprüft</translation>
     </message>
     <message>
         <source>body {name}: {carrier} carries no body; name one of {known}</source>
