@@ -5116,6 +5116,10 @@
         <translation>In {count} Sätzen steckt der ganze Fräser in: {name}.</translation>
     </message>
     <message>
+        <source>In {count} blocks the whole spindle is inside the {name}.</source>
+        <translation>In {count} Sätzen ist die ganze Spindel in {name}.</translation>
+    </message>
+    <message>
         <source>In {count} blocks whose tip the controller guides, the first in NC line {line}, the way of the axes is not bounded closely enough: the machine's bodies were looked at where these blocks end, not in between.</source>
         <translation>In {count} Sätzen, deren Spitze die Steuerung führt, der erste in NC-Zeile {line}, ist der Weg der Achsen nicht eng genug eingegrenzt: die Körper der Maschine wurden an den Enden dieser Sätze angesehen, nicht dazwischen.</translation>
     </message>

@@ -18,9 +18,10 @@ from freecad_fiveaxis.core.base.findings import Hit
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine, zero_words
+from freecad_fiveaxis.core.gouge.machine_in_pose import machine_in_pose
 from freecad_fiveaxis.core.machine import load_machine, machine_bytes, save_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body, frustum_piece, round_piece
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -479,3 +480,31 @@ def test_the_clearance_of_the_nose_does_not_count_for_the_tool():
     assert not check_machine(*downward(machine, 20.0), None, 0.01)
     (one,) = check_machine(*downward(machine, 20.0, clearance=8.0), None, 0.01)
     assert one.near.enters == "holder" and one.limit == 8.0
+
+
+SHORT = Body((round_piece(0.0, RADIUS, RADIUS), frustum_piece(RADIUS, RADIUS, 20.0, RADIUS)))
+"""A tool that ends 60 mm below the spindle's face."""
+
+
+@pytest.mark.parametrize("deep", [True, False])
+def test_a_nose_that_is_wholly_in_a_body_is_reported_though_the_tool_below_it_is_not(deep):
+    """The tool ends 20 mm below the beam, the nose begins 20 mm in it, or all is far below."""
+    low = 60.0 if deep else 300.0
+    machine = replace(
+        load_machine("trunnion_ac"),
+        bodies=(NOSE, MachineBody("beam", "base", "box", ((-200.0, -200.0, low), (200.0, 200.0, 900.0)))),
+    )
+    given, program = downward(machine, 80.0)
+    found = check_machine(replace(given, body=SHORT), program, None, 0.01)
+    assert [one.code for one in found] == ["machine-collision"] * deep
+    if deep:
+        assert (
+            found[0].hit == Hit("spindle", "beam", None)
+            and "whole spindle is inside the beam" in found[0].text
+        )
+    block = from_triangles(box((-200.0, -200.0, low), (200.0, 200.0, 900.0)) - ORIGIN)
+    alone = replace(given, machine=replace(machine, bodies=(NOSE,)), body=SHORT)
+    assert [one.code for one in check_machine(alone, program, block, 0.01)] == ["machine-collision"] * deep
+    pose = machine_in_pose(replace(given, body=SHORT), None, 0.01)
+    tip, axis = forward(given.kinematics, words_to_q(program.words))
+    assert pose.is_blocked(tip, axis, np.deg2rad(program.words[:, 3:])).all() == deep

@@ -21,17 +21,20 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, join_sentences, say
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.machine.bodies import BASE, MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import Body, grow_body
+from freecad_fiveaxis.core.tool.body import PARTS, Body, grow_body
+from freecad_fiveaxis.core.tool.body import SPINDLE as SPINDLE_PART
 
 from .body_pairs import REMEDY, PairCheck, check_pairs
 from .carried_pieces import Carried, carry_bodies, carry_tool, carry_work
 from .check import ROUGHLY, GougeCheck, check_program
 from .fixtures import Fixture
+from .inside import inside, is_closed
 from .joint_box import JointSpace
 from .machine_bodies import find_round_bodies, make_mesh, spindle_body
 from .machine_way import MachineWay, lay_way, plain_way
@@ -164,6 +167,7 @@ def _against_bodies(
         check = _check_on_way(mesh, stack, given, moved, tolerance, progress)
         new = [*_entering(body.name, body.name, check, given, program, tolerance)]
         new += _unproven(body.name, check, program, tolerance)
+        new += [] if new else _enclosed(body.name, body.name, mesh, given, moved)
         for wanted, some in [] if new else group_by_clearance(given, body.clearance):
             new += _coming_near((body.name, body.name), mesh, some, wanted, given, moved, tolerance, progress)
         yield from new
@@ -230,6 +234,7 @@ def _against_part(
         check = _check_on_way(part, spindle, given, way, tolerance, progress)
         new = [*_entering(say("part"), "", check, given, program, tolerance)]
         new += _unproven(say("part"), check, program, tolerance)
+        new += [] if new else _enclosed(say("part"), "", part, given, way)
         for wanted, some in [] if new else group_own_clearances(given):
             new += _coming_near((say("part"), ""), part, some, wanted, given, way, tolerance, progress)
         yield from new
@@ -315,6 +320,24 @@ def _entering(
     text, row, line = join_sentences((text, REMEDY)), worst.row, worst.line
     hit = Hit(worst.part, entered, worst.u)
     yield report_finding(Code.MACHINE_COLLISION, text, worst.depth, tolerance, row, line, place, hit=hit)
+
+
+def _enclosed(name: str, key: str, mesh: Mesh, given: InMachine, way: MachineWay) -> Iterator[Finding]:
+    """Yield where all of a piece that the spindle carries is in a closed body that it does not cross: there
+    may be air between it and the tool. Then it is so where a block ends."""
+    if not is_closed(mesh):
+        return
+    driven, axis = forward(given.kinematics, words_to_q(way.program.words))
+    held = np.zeros(len(driven), np.bool_)
+    for piece in spindle_of(given).pieces:
+        held |= inside(facet_tree(mesh), driven + (0.5 * (piece.low + piece.high) - given.back) * axis)
+    if held.any():
+        row, count = int(held.argmax()), int(np.count_nonzero(held))
+        text = say("In {count} blocks the whole spindle is inside the {name}.", count=count, name=name)
+        line, hit = int(way.program.line[row]), Hit(PARTS[SPINDLE_PART], key, None)
+        x, y, z = driven[row].tolist()
+        text = join_sentences((text, REMEDY))
+        yield report_finding(Code.MACHINE_COLLISION, text, block=row, line=line, place=(x, y, z), hit=hit)
 
 
 def _places(worst: Worst, given: InMachine, program: Program) -> tuple[Sentence, Vector]:

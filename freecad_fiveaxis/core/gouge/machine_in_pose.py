@@ -38,7 +38,7 @@ from freecad_fiveaxis.core.machine.kinematics import (
     words_to_q,
 )
 from freecad_fiveaxis.core.motion.joint_path.branches import POLE_ANGLE, within_limits
-from freecad_fiveaxis.core.tool.body import CUTTER, Body, Piece, extend_way_out, support
+from freecad_fiveaxis.core.tool.body import CUTTER, SPINDLE, Body, Piece, extend_way_out, support
 
 from .body_pairs import PARED
 from .body_search import Pair, free_cells
@@ -317,7 +317,8 @@ def _find_held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody
 
 
 def _in_body(stack: Body, body: HeldBody, tip: Floats, axis: Floats, limit: float) -> Bools:
-    """Whether (n,) the stack is in a body by more than ``limit`` mm, or its cutter all in it."""
+    """Whether (n,) the stack is in a body by more than ``limit`` mm, or its cutter or the
+    spindle all in it."""
     met, tree = np.zeros(len(tip), np.bool_), facet_tree(body.mesh)
     near = np.flatnonzero(_is_not_parted(_around(stack), body, tip, axis))
     if not len(near):
@@ -329,9 +330,10 @@ def _in_body(stack: Body, body: HeldBody, tip: Floats, axis: Floats, limit: floa
         rows = rows[~met[rows]]
         met[rows] = _enters(Body((piece,)), tree, tip[rows], axis[rows], limit)
     if is_closed(body.mesh):
-        rows = near[~met[near]]
-        rows = rows[_is_not_parted(stack.pieces[0], body, tip[rows], axis[rows])]
-        met[rows] = inside(tree, tip[rows] + stack.pieces[0].low * axis[rows])
+        for piece in (stack.pieces[0], *(one for one in stack.pieces[1:] if one.part == SPINDLE)):
+            rows = near[~met[near]]
+            rows = rows[_is_not_parted(piece, body, tip[rows], axis[rows])]
+            met[rows] = inside(tree, tip[rows] + piece.low * axis[rows])
     return met
 
 
