@@ -2183,6 +2183,10 @@
         <translation>Feste Achse I, J, K</translation>
     </message>
     <message>
+        <source>Fixture in a machine body</source>
+        <translation>Spannmittel im Maschinenkörper</translation>
+    </message>
+    <message>
         <source>Fixture in the part</source>
         <translation>Spannmittel im Werkstück</translation>
     </message>
@@ -2705,6 +2709,10 @@
     <message>
         <source>Part</source>
         <translation>Werkstück</translation>
+    </message>
+    <message>
+        <source>Part in a machine body</source>
+        <translation>Werkstück im Maschinenkörper</translation>
     </message>
     <message>
         <source>Part in the document</source>
@@ -5572,6 +5580,10 @@
         <translation>Die Achsen verlassen ihre Grenzen um {over}.</translation>
     </message>
     <message>
+        <source>The body {name} of the machine is {size} long: its file may be in metres ({metres}) or inches ({inches}), or scaled too often. Files of bodies are read in mm: export it so.</source>
+        <translation>Der Körper {name} der Maschine ist {size} lang: Seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}), oder zu oft skaliert. Dateien von Körpern werden in mm gelesen: so exportieren.</translation>
+    </message>
+    <message>
         <source>The controller guides the tip (RTCP). Proven is that every block ends within {off} of the path's tip and {lean} of its tool axis, as the machine file describes the machine; how tip and axes go from end to end is the controller's affair, and not proven here.</source>
         <translation>Die Steuerung führt die Werkzeugspitze (RTCP). Nachgewiesen ist, dass jeder Satz innerhalb {off} an der Spitze des Werkzeugwegs und innerhalb {lean} an seiner Werkzeugachse endet, so wie die Maschinendatei die Maschine beschreibt; wie Spitze und Achsen von Ende zu Ende gehen, ist Sache der Steuerung und hier nicht nachgewiesen.</translation>
     </message>
@@ -5630,6 +5642,14 @@
     <message>
         <source>The fixture {fixture} stands in the part, more than {depth} deep at {at}: check its place and its units first. What else is told of it is told of that place.</source>
         <translation>Das Spannmittel {fixture} steht im Werkstück, bei {at} mehr als {depth} tief: zuerst seinen Platz und seine Einheit prüfen. Was sonst von ihm gesagt wird, gilt für diesen Platz.</translation>
+    </message>
+    <message>
+        <source>The fixture {fixture} stands in {body}, a body of the machine, at least {depth} deep at {at}. Check the work zero on the machine ({zero}), the fixture's place and its units, or mend the body.</source>
+        <translation>Das Spannmittel {fixture} steckt in {body}, einem Körper der Maschine, mindestens {depth} tief bei {at}. Den Nullpunkt auf der Maschine ({zero}), den Ort des Spannmittels und seine Einheiten prüfen, oder den Körper berichtigen.</translation>
+    </message>
+    <message>
+        <source>The fixture {name} is {size} long: its file may be in metres ({metres}) or inches ({inches}), or scaled too often. Export it in mm, or name the units of STL files: {option}.</source>
+        <translation>Das Spannmittel {name} ist {size} lang: Seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}), oder zu oft skaliert. In mm exportieren oder die Einheit der STL-Dateien nennen: {option}.</translation>
     </message>
     <message>
         <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
@@ -5694,6 +5714,10 @@
     <message>
         <source>The part reaches {depth} below the table of {machine}, so its place is not known and no tool axis leans below level. Give {origin} the place of the work zero, or {max_axis_angle} how far axes may lean.</source>
         <translation>Das Teil reicht {depth} unter den Tisch von {machine}; sein Ort ist also nicht bekannt, und keine Werkzeugachse neigt sich unter die Waagrechte. Mit {origin} den Ort des Nullpunkts angeben, oder mit {max_axis_angle}, wie weit sich Achsen neigen dürfen.</translation>
+    </message>
+    <message>
+        <source>The part stands in {body}, a body of the machine, at least {depth} deep at {at}. Check the work zero on the machine ({zero}), or mend the body.</source>
+        <translation>Das Werkstück steckt in {body}, einem Körper der Maschine, mindestens {depth} tief bei {at}. Den Nullpunkt auf der Maschine ({zero}) prüfen oder den Körper berichtigen.</translation>
     </message>
     <message>
         <source>The part that {label} was made of was deleted: undo that, or choose another one in its property Base</source>
@@ -6282,6 +6306,10 @@
     <message>
         <source>a fixture is in the way</source>
         <translation>ein Spannmittel ist im Weg</translation>
+    </message>
+    <message>
+        <source>a fixture stands in a body of the machine</source>
+        <translation>ein Spannmittel steckt in einem Körper der Maschine</translation>
     </message>
     <message>
         <source>a fixture stands in the part</source>
@@ -8746,6 +8774,10 @@
     <message>
         <source>the part is cut in frames, each with a tool axis of its own</source>
         <translation>das Teil wird in Lagen gefräst, jede mit eigener Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>the part stands in a body of the machine</source>
+        <translation>das Werkstück steckt in einem Körper der Maschine</translation>
     </message>
     <message>
         <source>the part would reach below the table, which is not looked at</source>

@@ -638,6 +638,19 @@ def solid_of(body, count=21):
     return low + share * (high - low)
 
 
+def test_a_fixture_is_no_neighbour_of_what_it_passes():
+    """With X at zero the post of the base stands in the vise; no program goes there, but to its edge."""
+    post = MachineBody("post", "base", "box", ((-20.0, -20.0, -360.0), (20.0, 20.0, -260.0)))
+    vise = Fixture("vise", from_triangles(box((-50.0, -50.0, -300.0), (50.0, 50.0, -200.0)) - ORIGIN))
+    machine = replace(load_machine("head_b_table_c"), bodies=(post,))
+    words = words_at(machine, {"X": 90.0}, {"X": 65.0})
+    found = [one for one in checked(machine, words, fixtures=[vise]) if "vise" in one.text]
+    assert codes(found) == ["machine-collision"] and found[0].value == pytest.approx(5.0, rel=0.1)
+    assert not any(
+        "vise" in one.text for one in checked(machine, words[:1].repeat(2, axis=0), fixtures=[vise])
+    )
+
+
 GRID = 2.0
 """mm by which depths of points on a grid are too small."""
 

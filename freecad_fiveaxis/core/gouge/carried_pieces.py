@@ -177,7 +177,10 @@ def _with_the_tool(machine: Machine, one: Carried, other: Carried) -> bool:
 
 def _neighbours(machine: Machine, one: Carried, other: Carried) -> bool:
     """Tell whether a pair can touch by construction: not across from table to head, which are anywhere at all
-    joints zero."""
+    joints zero; nor what is clamped and what passes it along a linear axis."""
+    steps = steps_between(machine, one.carrier, other.carrier)
+    if HELD in (one.kind, other.kind) and not all(step.axis.rotary for step in steps):
+        return False
     (near, down), (far, up) = (carriers_from_base(machine, each.carrier) for each in (one, other))
     return not near or not far or down == up
 
