@@ -167,7 +167,7 @@ def _against_bodies(
         check = _check_on_way(mesh, stack, given, moved, tolerance, progress)
         new = [*_entering(body.name, body.name, check, given, program, tolerance)]
         new += _unproven(body.name, check, program, tolerance)
-        new += [] if new else _enclosed(body.name, body.name, mesh, given, moved)
+        new += [] if new else _report_enclosed(body.name, body.name, mesh, given, moved)
         for wanted, some in [] if new else group_by_clearance(given, body.clearance):
             new += _coming_near((body.name, body.name), mesh, some, wanted, given, moved, tolerance, progress)
         yield from new
@@ -234,7 +234,7 @@ def _against_part(
         check = _check_on_way(part, spindle, given, way, tolerance, progress)
         new = [*_entering(say("part"), "", check, given, program, tolerance)]
         new += _unproven(say("part"), check, program, tolerance)
-        new += [] if new else _enclosed(say("part"), "", part, given, way)
+        new += [] if new else _report_enclosed(say("part"), "", part, given, way)
         for wanted, some in [] if new else group_own_clearances(given):
             new += _coming_near((say("part"), ""), part, some, wanted, given, way, tolerance, progress)
         yield from new
@@ -322,7 +322,7 @@ def _entering(
     yield report_finding(Code.MACHINE_COLLISION, text, worst.depth, tolerance, row, line, place, hit=hit)
 
 
-def _enclosed(name: str, key: str, mesh: Mesh, given: InMachine, way: MachineWay) -> Iterator[Finding]:
+def _report_enclosed(name: str, key: str, mesh: Mesh, given: InMachine, way: MachineWay) -> Iterator[Finding]:
     """Yield where all of a piece that the spindle carries is in a closed body that it does not cross: there
     may be air between it and the tool. Then it is so where a block ends."""
     if not is_closed(mesh):
