@@ -31,9 +31,10 @@ from freecad_fiveaxis.core.gouge.machine_check import (
     pair_check,
     zero_words,
 )
+from freecad_fiveaxis.core.gouge.machine_in_pose import machine_in_pose
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.tool import body as tool_body
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -678,3 +679,17 @@ def test_of_random_neighbours_dense_samples_find_nothing_deeper_that_is_not_repo
         else:
             assert (on_way < still + GRID).any()
     assert met > 1 and kept > 0
+
+
+def test_a_pose_in_which_neighbours_go_into_each_other_is_blocked():
+    """As a tool axis is chosen by: free with A at zero, where the cradle lies on the floor, not turned."""
+    machine = trunnion(CRADLE, FLOOR)
+    kinematics = chain(machine, SETUP)
+    given = InMachine(machine, SETUP, kinematics, TOOL, LENGTH)
+    words = words_at(machine, {"Z": 300.0}, {"Z": 300.0, "A": 10.0})
+    tip, axis = forward(kinematics, words_to_q(words))
+    for margin in (0.0, 2.0):
+        pose = machine_in_pose(given, None, TOLERANCE, margin=margin)
+        assert pose.is_blocked(tip, axis, np.deg2rad(words[:, 3:])).tolist() == [False, True]
+    check, pairs = pairs_of(CRADLE, FLOOR)
+    assert which_meet(check, pairs, np.arange(5)).all()
