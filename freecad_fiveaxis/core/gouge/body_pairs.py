@@ -285,7 +285,7 @@ def _collision(given: PairCheck, pair: CarriedPair, deep: Closest) -> Finding:
     )  # fmt: skip
     row, line, place = _where(given, deep.block)
     remedy = SAME_SIDE if len({step.axis.side for step in pair.motion.steps}) == 1 else REMEDY
-    if pair.granted is not None:
+    if pair.granted is not None and pair.granted > given.tolerance:
         at_zero = say(
             "With all axes at zero they are {depth} in each other.", depth=Length(pair.granted, ".3g")
         )
