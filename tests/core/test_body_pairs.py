@@ -692,5 +692,5 @@ def test_a_pose_in_which_neighbours_go_into_each_other_is_blocked():
     for margin in (0.0, 2.0):
         pose = machine_in_pose(given, None, TOLERANCE, margin=margin)
         assert pose.is_blocked(tip, axis, np.deg2rad(words[:, 3:])).tolist() == [False, True]
-    check, pairs = pairs_of(CRADLE, FLOOR)  # from 53.2 deg on the edge is above the floor again
+    check, pairs = pairs_of(CRADLE, FLOOR)  # from 53.1 deg on the edge is above the floor again
     assert which_meet(check, pairs, np.arange(5)).tolist() == [True, True, True, False, False]
