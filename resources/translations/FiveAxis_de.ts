@@ -2191,6 +2191,10 @@
         <translation>Feste Achse I, J, K</translation>
     </message>
     <message>
+        <source>Fixture in a machine body</source>
+        <translation>Spannmittel im Maschinenkörper</translation>
+    </message>
+    <message>
         <source>Fixture in the part</source>
         <translation>Spannmittel im Werkstück</translation>
     </message>
@@ -2713,6 +2717,10 @@
     <message>
         <source>Part</source>
         <translation>Werkstück</translation>
+    </message>
+    <message>
+        <source>Part in a machine body</source>
+        <translation>Werkstück im Maschinenkörper</translation>
     </message>
     <message>
         <source>Part in the document</source>
@@ -5136,6 +5144,10 @@
         <translation>In {count} Sätzen steckt der ganze Fräser in: {name}.</translation>
     </message>
     <message>
+        <source>In {count} blocks the whole spindle is inside the {name}.</source>
+        <translation>In {count} Sätzen ist die ganze Spindel in {name}.</translation>
+    </message>
+    <message>
         <source>In {count} blocks whose tip the controller guides, the first in NC line {line}, the way of the axes is not bounded closely enough: the machine's bodies were looked at where these blocks end, not in between.</source>
         <translation>In {count} Sätzen, deren Spitze die Steuerung führt, der erste in NC-Zeile {line}, ist der Weg der Achsen nicht eng genug eingegrenzt: die Körper der Maschine wurden an den Enden dieser Sätze angesehen, nicht dazwischen.</translation>
     </message>
@@ -5588,6 +5600,10 @@
         <translation>Die Achsen verlassen ihre Grenzen um {over}.</translation>
     </message>
     <message>
+        <source>The body {name} of the machine is {size} long: its file may be in metres ({metres}) or inches ({inches}), or scaled too often. Files of bodies are read in mm: export it so.</source>
+        <translation>Der Körper {name} der Maschine ist {size} lang: Seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}), oder zu oft skaliert. Dateien von Körpern werden in mm gelesen: so exportieren.</translation>
+    </message>
+    <message>
         <source>The controller guides the tip (RTCP). Proven is that every block ends within {off} of the path's tip and {lean} of its tool axis, as the machine file describes the machine; how tip and axes go from end to end is the controller's affair, and not proven here.</source>
         <translation>Die Steuerung führt die Werkzeugspitze (RTCP). Nachgewiesen ist, dass jeder Satz innerhalb {off} an der Spitze des Werkzeugwegs und innerhalb {lean} an seiner Werkzeugachse endet, so wie die Maschinendatei die Maschine beschreibt; wie Spitze und Achsen von Ende zu Ende gehen, ist Sache der Steuerung und hier nicht nachgewiesen.</translation>
     </message>
@@ -5646,6 +5662,14 @@
     <message>
         <source>The fixture {fixture} stands in the part, more than {depth} deep at {at}: check its place and its units first. What else is told of it is told of that place.</source>
         <translation>Das Spannmittel {fixture} steht im Werkstück, bei {at} mehr als {depth} tief: zuerst seinen Platz und seine Einheit prüfen. Was sonst von ihm gesagt wird, gilt für diesen Platz.</translation>
+    </message>
+    <message>
+        <source>The fixture {fixture} stands in {body}, a body of the machine, at least {depth} deep at {at}. Check the work zero on the machine ({zero}), the fixture's place and its units, or mend the body.</source>
+        <translation>Das Spannmittel {fixture} steckt in {body}, einem Körper der Maschine, mindestens {depth} tief bei {at}. Den Nullpunkt auf der Maschine ({zero}), den Ort des Spannmittels und seine Einheiten prüfen, oder den Körper berichtigen.</translation>
+    </message>
+    <message>
+        <source>The fixture {name} is {size} long: its file may be in metres ({metres}) or inches ({inches}), or scaled too often. Export it in mm, or name the units of STL files: {option}.</source>
+        <translation>Das Spannmittel {name} ist {size} lang: Seine Datei ist vielleicht in Metern ({metres}) oder Zoll ({inches}), oder zu oft skaliert. In mm exportieren oder die Einheit der STL-Dateien nennen: {option}.</translation>
     </message>
     <message>
         <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
@@ -5710,6 +5734,10 @@
     <message>
         <source>The part reaches {depth} below the table of {machine}, so its place is not known and no tool axis leans below level. Give {origin} the place of the work zero, or {max_axis_angle} how far axes may lean.</source>
         <translation>Das Teil reicht {depth} unter den Tisch von {machine}; sein Ort ist also nicht bekannt, und keine Werkzeugachse neigt sich unter die Waagrechte. Mit {origin} den Ort des Nullpunkts angeben, oder mit {max_axis_angle}, wie weit sich Achsen neigen dürfen.</translation>
+    </message>
+    <message>
+        <source>The part stands in {body}, a body of the machine, at least {depth} deep at {at}. Check the work zero on the machine ({zero}), or mend the body.</source>
+        <translation>Das Werkstück steckt in {body}, einem Körper der Maschine, mindestens {depth} tief bei {at}. Den Nullpunkt auf der Maschine ({zero}) prüfen oder den Körper berichtigen.</translation>
     </message>
     <message>
         <source>The part that {label} was made of was deleted: undo that, or choose another one in its property Base</source>
@@ -6024,8 +6052,12 @@
         <translation>Das sind Abweichungen von Sätzen, die noch nicht geteilt sind: Die des Programms halten seine Toleranz ein.</translation>
     </message>
     <message>
-        <source>These touch each other with all axes at zero, so they are taken for neighbours and were not looked at against each other: {names}.</source>
-        <translation>Diese berühren einander, wenn alle Achsen auf null stehen; sie gelten als Nachbarn und wurden nicht gegeneinander geprüft: {names}.</translation>
+        <source>These touch each other with all axes at zero and were not looked at against each other, for one is hollow or holds the other: {names}. Divide what is hollow into several bodies.</source>
+        <translation>Diese berühren einander, wenn alle Achsen auf null stehen, und wurden nicht gegeneinander geprüft, denn einer ist hohl oder enthält den anderen: {names}. Hohle Körper in mehrere teilen.</translation>
+    </message>
+    <message>
+        <source>These touch each other with all axes at zero, so they are taken for neighbours; they go nowhere deeper into each other than there: {names}.</source>
+        <translation>Diese berühren einander, wenn alle Achsen auf null stehen, und gelten daher als Nachbarn; sie dringen nirgends tiefer ineinander ein als dort: {names}.</translation>
     </message>
     <message>
         <source>This is told of the path as it was made for {present}: by {axes_by} another tool is given another path.</source>
@@ -6138,6 +6170,10 @@
     <message>
         <source>With a tool that sticks out {more} farther there is a way.</source>
         <translation>Mit einem Werkzeug, das {more} weiter auskragt, gibt es einen Weg.</translation>
+    </message>
+    <message>
+        <source>With all axes at zero they are {depth} in each other.</source>
+        <translation>Mit allen Achsen auf null stecken sie {depth} ineinander.</translation>
     </message>
     <message>
         <source>With rotary axes turning, F means other things on other controls. This one has no inverse time: give each block an F for the way of its axes, as {post} does.</source>
@@ -6290,6 +6326,10 @@
     <message>
         <source>a fixture is in the way</source>
         <translation>ein Spannmittel ist im Weg</translation>
+    </message>
+    <message>
+        <source>a fixture stands in a body of the machine</source>
+        <translation>ein Spannmittel steckt in einem Körper der Maschine</translation>
     </message>
     <message>
         <source>a fixture stands in the part</source>
@@ -6688,8 +6728,8 @@
         <translation>Sätze wurden geteilt, damit die Toleranz hält</translation>
     </message>
     <message>
-        <source>bodies that touch at zero are not looked at against each other</source>
-        <translation>Körper, die einander bei null berühren, werden nicht gegeneinander geprüft</translation>
+        <source>bodies that touch at zero go no deeper into each other, or were not looked at</source>
+        <translation>Körper, die sich in der Nullstellung berühren, dringen nicht tiefer ineinander ein oder wurden nicht geprüft</translation>
     </message>
     <message>
         <source>body {name}: {carrier} carries no body; name one of {known}</source>
@@ -8754,6 +8794,10 @@
     <message>
         <source>the part is cut in frames, each with a tool axis of its own</source>
         <translation>das Teil wird in Lagen gefräst, jede mit eigener Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>the part stands in a body of the machine</source>
+        <translation>das Werkstück steckt in einem Körper der Maschine</translation>
     </message>
     <message>
         <source>the part would reach below the table, which is not looked at</source>

@@ -5,6 +5,7 @@ their own."""
 import json
 import math
 from dataclasses import replace
+from itertools import permutations
 from pathlib import Path
 
 import numpy as np
@@ -30,9 +31,10 @@ from freecad_fiveaxis.core.gouge.machine_check import (
     pair_check,
     zero_words,
 )
+from freecad_fiveaxis.core.gouge.machine_in_pose import machine_in_pose
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.tool import body as tool_body
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -250,7 +252,7 @@ def test_the_holder_is_kept_out_of_a_body_that_an_axis_of_the_head_carries():
 # ------------------------------------------------------------------------------------------ what is looked at
 
 
-def test_neighbours_that_touch_at_zero_are_left_out_and_stated():
+def test_neighbours_that_touch_at_zero_and_go_no_deeper_are_stated():
     base = MachineBody("bearing", "base", "box", ((-150.0, -60.0, -170.0), (-100.0, 60.0, -140.0)))
     machine = trunnion(CRADLE, base, wall(100.0))
     (note, hit) = checked(machine, words_at(machine, {"A": 0.0}, {"A": 50.0}, {"A": -50.0}))
@@ -549,3 +551,146 @@ def test_what_the_tool_carries_holds_all_of_it(text):
     off += [np.linalg.norm(inside - np.clip(inside, one.corner.min(axis=0), one.corner.max(axis=0)), axis=1) - one.round
             for one in pieces if not len(one.plane)]  # fmt: skip
     assert len(inside) > 1000 and np.min(off, axis=0).max() < 1e-6
+
+
+# ------------------------------------------------------------------------------------------------ neighbours
+
+
+BEARING = MachineBody("bearing", "base", "box", ((-150.0, -60.0, -170.0), (-100.0, 60.0, -140.0)))
+FLOOR = MachineBody("floor", "base", "box", ((-150.0, -150.0, -200.0), (150.0, 150.0, -170.0)))
+"""On which the cradle lies with A at zero."""
+
+
+def test_neighbours_that_touch_at_zero_are_looked_at_as_soon_as_they_go_into_each_other():
+    """The cradle's lower edge goes down from the floor as A turns: CORNER sin(a + atan2(120, 60)) - 120."""
+    machine = trunnion(CRADLE, BEARING, FLOOR)
+    (note, one) = checked(machine, words_at(machine, {"A": 0.0}, {"A": 10.0}))
+    turned = math.radians(10.0) + math.atan2(120.0, 60.0)
+    assert one.value == pytest.approx(CORNER * math.sin(turned) - 120.0, rel=0.1)
+    assert (one.code, one.block, {one.hit.enters, one.hit.entered}) == (
+        "machine-collision",
+        1,
+        {"cradle", "floor"},
+    )
+    assert note.code == "machine-touching" and "bearing" in note.text and "floor" not in note.text
+    assert "in each other" not in one.text
+    assert not any(one.hit for one in checked(machine, words_at(machine, {"X": 0.0}, {"X": 50.0})))
+
+
+@pytest.mark.parametrize("sunk", [0.0, 4.0])
+def test_a_slide_goes_along_its_bed_and_no_deeper(sunk):
+    """On it, or sunk in it."""
+    slide = MachineBody("slide", "X", "box", ((-50.0, -50.0, -300.0 - sunk), (50.0, 50.0, -260.0)))
+    bed = MachineBody("bed", "base", "box", ((-300.0, -80.0, -360.0), (300.0, 80.0, -300.0)))
+    machine = replace(load_machine("head_b_table_c"), bodies=(slide, bed))
+    (note,) = checked(machine, words_at(machine, {"X": -90.0}, {"X": 90.0}))
+    assert note.code == "machine-touching" and "slide" in note.text
+
+
+def test_what_is_granted_to_neighbours_is_what_they_are_in_each_other_at_zero_and_no_more():
+    """A ram 3 mm in a post: 2 mm farther is a collision of 5 mm, 2 mm back none."""
+    ram = MachineBody("ram", "Y", "box", ((-20.0, -40.0, 100.0), (20.0, 40.0, 300.0)))
+    machine = replace(load_machine("head_b_table_c"), bodies=(ram, wall(37.0)))
+    letter = next(axis for axis in machine.fitted if axis.letter == "Y")
+    sign = 1.0 if letter.side == "head" else -1.0
+    assert codes(checked(machine, words_at(machine, {"Y": 0.0}, {"Y": -2.0 * sign}))) == ["machine-touching"]
+    (one,) = checked(machine, words_at(machine, {"Y": 0.0}, {"Y": 2.0 * sign}))
+    assert one.code == "machine-collision" and one.value == pytest.approx(5.0, rel=0.1)
+    assert one.limit == pytest.approx(3.0 + TOLERANCE, abs=0.01) and "3 mm in each other" in one.text
+
+
+def test_a_round_platter_turns_beside_what_it_touches():
+    """Its flat sides stand out by 0.2 % of its radius, and turn."""
+    platter = MachineBody("platter", "C", "cylinder", ((0.0, 0.0, -135.0), (0.0, 0.0, -100.0)), (200.0,))
+    cheek = MachineBody("cheek", "A", "box", ((-50.0, 200.0, -170.0), (50.0, 260.0, -90.0)))
+    machine = trunnion(platter, cheek)
+    (note,) = checked(machine, words_at(machine, {"C": 0.0}, {"C": 360.0}))
+    assert note.code == "machine-touching" and "platter" in note.text
+
+
+def test_a_hollow_neighbour_is_not_looked_at_and_stated(tmp_path):
+    """A cradle hangs between the cheeks of a fork, in its hull but not in it."""
+    sides = [box((x, -80.0, -200.0), (x + 40.0, 80.0, 0.0)) for x in (-160.0, 120.0)]
+    floor = box((-120.0, -80.0, -240.0), (120.0, 80.0, -200.0))
+    write_stl(from_triangles(np.concatenate([*sides, floor])), tmp_path / "fork.stl")
+    fork = MachineBody("fork", "base", "file", file=str(tmp_path / "fork.stl"))
+    machine = trunnion(CRADLE, fork)
+    (note,) = checked(machine, words_at(machine, {"A": 0.0}, {"A": 30.0}))
+    assert note.code == "machine-touching" and "cradle, fork" in note.text and "hollow" in note.text
+
+
+def depths_both_ways(machine, words, count):
+    """How deep points of the one box are in the other at most, and the other way round, on a straight way."""
+    one, other = machine.bodies
+    zero, letters = words_at(machine, {})[0], chain(machine, SETUP).letters
+    share = np.linspace(0.0, 1.0, count)[:, None]
+    at = places(machine, dict(zip(letters, (words[0] + share * (words[1] - words[0]) - zero).T, strict=True)))
+    found = []
+    for a, b in ((one, other), (other, one)):
+        seen = np.linalg.inv(at[b.carrier]) @ at[a.carrier]
+        points = solid_of(a) @ seen[..., :3, :3].swapaxes(-1, -2) + seen[..., None, :3, 3]
+        found.append(depth_of(points, b))
+    return np.array(found)
+
+
+def solid_of(body, count=21):
+    """Points (n, 3) mm on a grid in a box."""
+    share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, count),) * 3, indexing="ij"), -1).reshape(-1, 3)
+    low, high = np.array(body.points)
+    return low + share * (high - low)
+
+
+def test_a_fixture_is_no_neighbour_of_what_it_passes():
+    """With X at zero the post of the base stands in the vise; no program goes there, but to its edge."""
+    post = MachineBody("post", "base", "box", ((-20.0, -20.0, -360.0), (20.0, 20.0, -260.0)))
+    vise = Fixture("vise", from_triangles(box((-50.0, -50.0, -300.0), (50.0, 50.0, -200.0)) - ORIGIN))
+    machine = replace(load_machine("head_b_table_c"), bodies=(post,))
+    words = words_at(machine, {"X": 90.0}, {"X": 65.0})
+    found = [one for one in checked(machine, words, fixtures=[vise]) if "vise" in one.text]
+    assert codes(found) == ["machine-collision"] and found[0].value == pytest.approx(5.0, rel=0.1)
+    assert not any(
+        "vise" in one.text for one in checked(machine, words[:1].repeat(2, axis=0), fixtures=[vise])
+    )
+
+
+GRID = 2.0
+"""mm by which depths of points on a grid are too small."""
+
+
+@pytest.mark.thorough
+@some_in_core("name", MACHINES[:3])
+def test_of_random_neighbours_dense_samples_find_nothing_deeper_that_is_not_reported(name):
+    """Boxes that are in each other at zero, on a way that begins there."""
+    rng, plain = np.random.default_rng(11), load_machine(name)
+    met = kept = 0
+    for _ in range(120):
+        machine, words = random_scene(rng, plain)
+        words[0] = words_at(plain, {})[0]
+        names = [", ".join(order) for order in permutations(one.name for one in machine.bodies)]
+        found = checked(machine, words)
+        kept_out = any("nowhere deeper" in one.text and two in one.text for one in found for two in names)
+        collisions = [one for one in found if one.hit and one.limit > TOLERANCE]
+        collisions = [one for one in collisions if "on " in one.hit.enters and "on " in one.hit.entered]
+        if not (kept_out or collisions):
+            continue
+        still, on_way = (depths_both_ways(machine, words, count) for count in (1, 60))
+        met, kept = met + bool(collisions), kept + kept_out
+        if collisions:
+            assert collisions[0].value > collisions[0].limit - TOLERANCE and (on_way > still - GRID).any()
+        else:
+            assert (on_way < still + GRID).any()
+    assert met > 1 and kept > 0
+
+
+def test_a_pose_in_which_neighbours_go_into_each_other_is_blocked():
+    """As a tool axis is chosen by: free with A at zero, where the cradle lies on the floor, not turned."""
+    machine = trunnion(CRADLE, FLOOR)
+    kinematics = chain(machine, SETUP)
+    given = InMachine(machine, SETUP, kinematics, TOOL, LENGTH)
+    words = words_at(machine, {"Z": 300.0}, {"Z": 300.0, "A": 10.0})
+    tip, axis = forward(kinematics, words_to_q(words))
+    for margin in (0.0, 2.0):
+        pose = machine_in_pose(given, None, TOLERANCE, margin=margin)
+        assert pose.is_blocked(tip, axis, np.deg2rad(words[:, 3:])).tolist() == [False, True]
+    check, pairs = pairs_of(CRADLE, FLOOR)  # from 53.1 deg on the edge is above the floor again
+    assert which_meet(check, pairs, np.arange(5)).tolist() == [True, True, True, False, False]

@@ -16,10 +16,12 @@ from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.findings import Hit
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
+from freecad_fiveaxis.core.gouge.fixtures import Fixture
+from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine, zero_words
+from freecad_fiveaxis.core.gouge.machine_in_pose import machine_in_pose
 from freecad_fiveaxis.core.machine import load_machine, machine_bytes, save_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body, frustum_piece, round_piece
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -438,3 +440,71 @@ def test_the_clearance_of_a_body_is_read_and_written_in_mm(tmp_path):
     assert load_machine(tmp_path / "again.fcm").bodies == machine.bodies
     with pytest.raises(MachineError, match=r"bodies\[0\].clearance: -1 mm is no clearance"):
         load_machine(machine_file(tmp_path, [{**GOOD[2], "clearance": -1}]))
+
+
+def downward(machine, stop, **more):
+    """Check a machine whose tool, at X and Y zero, goes straight down to Z ``stop`` of the spindle's face."""
+    setup = Setup(ORIGIN, LENGTH)
+    kinematics = chain(machine, setup)
+    words = np.tile(zero_words(machine, setup, kinematics), (2, 1))
+    words[:, 2] += (100.0, stop)
+    given = InMachine(machine, setup, kinematics, TOOL, LENGTH, **more)
+    return given, program_of(machine, words)
+
+
+@pytest.mark.parametrize("of_post", [0.0, 4.0])
+def test_the_clearance_that_the_spindles_nose_has_itself_counts(of_post):
+    """The nose, 35 mm in radius, goes down beside a post, a part and a fixture, each 8 mm from it; the tool
+    stays farther away."""
+    low, high = np.array([43.0, -20.0, -60.0]), np.array([60.0, 20.0, 50.0])
+    post = MachineBody("post", "base", "box", (tuple(low), tuple(high)), clearance=of_post)
+    block = from_triangles(box(low, high) - ORIGIN)
+    scenes = {
+        "post": ((post,), {}, None),
+        "part": ((), {}, block),
+        "vise": ((), {"fixtures": (Fixture("vise", block),)}, None),
+    }
+    for name, (bodies, more, part) in scenes.items():
+        for own, near in ((0.0, False), (7.9, False), (10.0, True)):
+            machine = replace(load_machine("trunnion_ac"), bodies=(replace(NOSE, clearance=own), *bodies))
+            found = check_machine(*downward(machine, 20.0, **more), part, 0.01)
+            assert [one.code for one in found] == ["machine-near"] * near, (name, own)
+            if near:
+                assert found[0].value == pytest.approx(8.0, abs=0.02) and found[0].limit == 10.0
+                assert found[0].near.enters == "spindle" and name in found[0].text
+
+
+def test_the_clearance_of_the_nose_does_not_count_for_the_tool():
+    post = MachineBody("post", "base", "box", ((21.0, -20.0, -60.0), (30.0, 20.0, -20.0)))
+    machine = replace(load_machine("trunnion_ac"), bodies=(replace(NOSE, clearance=10.0), post))
+    assert not check_machine(*downward(machine, 20.0), None, 0.01)
+    (one,) = check_machine(*downward(machine, 20.0, clearance=8.0), None, 0.01)
+    assert one.near.enters == "holder" and one.limit == 8.0
+
+
+SHORT = Body((round_piece(0.0, RADIUS, RADIUS), frustum_piece(RADIUS, RADIUS, 20.0, RADIUS)))
+"""A tool that ends 60 mm below the spindle's face."""
+
+
+@pytest.mark.parametrize("deep", [True, False])
+def test_a_nose_that_is_wholly_in_a_body_is_reported_though_the_tool_below_it_is_not(deep):
+    """The tool ends 20 mm below the beam, the nose begins 20 mm in it, or all is far below."""
+    low = 60.0 if deep else 300.0
+    machine = replace(
+        load_machine("trunnion_ac"),
+        bodies=(NOSE, MachineBody("beam", "base", "box", ((-200.0, -200.0, low), (200.0, 200.0, 900.0)))),
+    )
+    given, program = downward(machine, 80.0)
+    found = check_machine(replace(given, body=SHORT), program, None, 0.01)
+    assert [one.code for one in found] == ["machine-collision"] * deep
+    if deep:
+        assert (
+            found[0].hit == Hit("spindle", "beam", None)
+            and "whole spindle is inside the beam" in found[0].text
+        )
+    block = from_triangles(box((-200.0, -200.0, low), (200.0, 200.0, 900.0)) - ORIGIN)
+    alone = replace(given, machine=replace(machine, bodies=(NOSE,)), body=SHORT)
+    assert [one.code for one in check_machine(alone, program, block, 0.01)] == ["machine-collision"] * deep
+    pose = machine_in_pose(replace(given, body=SHORT), None, 0.01)
+    tip, axis = forward(given.kinematics, words_to_q(program.words))
+    assert pose.is_blocked(tip, axis, np.deg2rad(program.words[:, 3:])).all() == deep

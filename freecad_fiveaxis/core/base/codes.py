@@ -376,6 +376,7 @@ class Code(str, Enum):
     BURIED = "buried", ERROR, "1", "the whole cutter is inside the part"
     CUT_TOO_DEEP = "cut-too-deep", ERROR, "mm", "more than the tolerance is missing on the surface"
     FIXTURE_COLLISION = "fixture-collision", ERROR, "mm", "the tool hits a fixture"
+    FIXTURE_IN_BODY = "fixture-in-body", WARNING, "mm", "a fixture stands in a body of the machine"
     FIXTURE_IN_PART = "fixture-in-part", ERROR, "", "a fixture stands in the part"
     FIXTURE_NEAR = "fixture-near", WARNING, "mm", "the tool comes nearer to a fixture than the clearance"
     FIXTURE_UNPROVEN = "fixture-unproven", WARNING, "mm", "a rapid may hit a fixture on some way of the axes"
@@ -402,9 +403,10 @@ class Code(str, Enum):
         "machine-touching",
         NOTE,
         "1",
-        "bodies that touch at zero are not looked at against each other",
+        "bodies that touch at zero go no deeper into each other, or were not looked at",
     )
     MACHINE_UNPROVEN = "machine-unproven", WARNING, "mm", "a collision with the machine is not excluded"
+    PART_IN_BODY = "part-in-body", WARNING, "mm", "the part stands in a body of the machine"
     OVERCUT = "overcut", ERROR, "mm", "the cutter enters the part in a feed move"
     RAPID_COLLISION = "rapid-collision", ERROR, "mm", "the cutter enters the part between passes"
     RAPID_UNPROVEN = "rapid-unproven", WARNING, "mm", "a rapid may enter the part on some way of the axes"

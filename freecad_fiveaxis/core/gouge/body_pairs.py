@@ -84,22 +84,23 @@ def check_pairs(
     """Find where bodies go more than the tolerance into each other, or nearer than the clearance, on any
     block. None deeper is missed; told of each pair is the deepest place, or the nearest where they stay out
     of each other."""
-    pairs, touching = pair_up(given.machine, carried)
-    found, of_tool = list(_touching(touching)), list[Finding]()
+    pairs, left = pair_up(given.machine, carried)
+    found, of_tool, touching = list[Finding](), list[Finding](), list[CarriedPair]()
     for k, pair in enumerate(pairs):
         progress("gouge", k / len(pairs))
         columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
         if given.known[columns].all():
-            new = _look_at(given, pair, _levels(given, pair, columns))
+            new = [*_look_at(given, pair, _levels(given, pair, columns))]
             (of_tool if pair.enters.kind == TOOL else found).extend(new)
-    return (*found, *_worst_of_tool(of_tool))
+            touching += [pair] if pair.granted is not None and not new else []
+    return (*_touching(touching, left), *found, *_worst_of_tool(of_tool))
 
 
 def which_meet(
     given: PairCheck, pairs: Sequence[CarriedPair], blocks: Ints, progress: Progress = silent
 ) -> Bools:
     """Tell in which of these ``blocks`` (k,) one of the ``pairs`` is not proven to stay out of each other."""
-    found, level = np.zeros(len(blocks), np.bool_), PARED * given.tolerance
+    found = np.zeros(len(blocks), np.bool_)
     independent = given.rapids != INTERPOLATED
     rapids = np.flatnonzero(np.isin(blocks, independent_rapids(given.program))) if independent else blocks[:0]
     for k, pair in enumerate(pairs):
@@ -110,7 +111,7 @@ def which_meet(
         levels = _levels(given, pair, columns)
         for rows, together in ((np.arange(len(blocks)), True), (rapids, False)):
             left = rows[~found[rows]]
-            met = levels.meet(level, blocks[left], together)
+            met = levels.meet(levels.least, blocks[left], together)
             found[left] = met.met | met.unproven
     return found
 
@@ -136,15 +137,26 @@ def _badness(one: Finding) -> float:
     return (one.value or 0.0) if one.hit else -(one.value or 0.0)
 
 
-def _touching(pairs: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
+def _touching(pairs: Sequence[CarriedPair], left: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
+    """Yield which neighbours go no deeper into each other, and which are ``left`` out."""
     if pairs:
-        names = "; ".join(f"{one.name}, {other.name}" for one, other in pairs)
         text = say(
-            "These touch each other with all axes at zero, so they are taken for neighbours and were not "
-            "looked at against each other: {names}.",
-            names=names,
+            "These touch each other with all axes at zero, so they are taken for neighbours; they go nowhere "
+            "deeper into each other than there: {names}.",
+            names=_name_pairs([(one.standing, one.moved) for one in pairs]),
         )
         yield report_finding(Code.MACHINE_TOUCHING, text, float(len(pairs)))
+    if left:
+        text = say(
+            "These touch each other with all axes at zero and were not looked at against each other, for one "
+            "is hollow or holds the other: {names}. Divide what is hollow into several bodies.",
+            names=_name_pairs(left),
+        )
+        yield report_finding(Code.MACHINE_TOUCHING, text, float(len(left)))
+
+
+def _name_pairs(pairs: Sequence[tuple[Carried, Carried]]) -> str:
+    return "; ".join(f"{one.name}, {other.name}" for one, other in pairs)
 
 
 def _levels(given: PairCheck, pair: CarriedPair, columns: Sequence[int]) -> _Levels:
@@ -164,12 +176,14 @@ def _joints(given: PairCheck, steps: Sequence[Step], columns: Sequence[int], pro
 
 
 def _look_at(given: PairCheck, pair: CarriedPair, levels: _Levels) -> Iterator[Finding]:
-    deep, unproven = levels.find(PARED * given.tolerance, levels.most)
+    deep, unproven = levels.find(levels.least, levels.most)
     if deep is not None:
         yield _collision(given, pair, deep)
         return
     if len(unproven):
         yield _unproven(given, pair, unproven)
+        return
+    if pair.granted is not None:
         return
     wanted = max(pair.moved.clearance, pair.standing.clearance) or given.clearance
     near, _ = levels.find(PARED * given.tolerance - wanted, 0.0) if wanted > given.tolerance else (None, None)
@@ -187,6 +201,11 @@ class _Levels:
     way: MachineWay
     joints: Floats
     in_step: Floats
+
+    @property
+    def least(self) -> float:
+        """What is less deep is none, mm."""
+        return (self.pair.granted or 0.0) + PARED * self.given.tolerance
 
     @property
     def most(self) -> float:
@@ -266,10 +285,14 @@ def _collision(given: PairCheck, pair: CarriedPair, deep: Closest) -> Finding:
     )  # fmt: skip
     row, line, place = _where(given, deep.block)
     remedy = SAME_SIDE if len({step.axis.side for step in pair.motion.steps}) == 1 else REMEDY
+    if pair.granted is not None and pair.granted > given.tolerance:
+        at_zero = say(
+            "With all axes at zero they are {depth} in each other.", depth=Length(pair.granted, ".3g")
+        )
+        text = join_sentences((text, at_zero))
     text, hit = join_sentences((text, remedy)), Hit(pair.enters.key, pair.entered.key, deep.u)
-    return report_finding(
-        Code.MACHINE_COLLISION, text, deep.level, given.tolerance, row, line, place, hit=hit
-    )
+    limit = given.tolerance + (pair.granted or 0.0)
+    return report_finding(Code.MACHINE_COLLISION, text, deep.level, limit, row, line, place, hit=hit)
 
 
 def _near(given: PairCheck, pair: CarriedPair, near: Closest, wanted: float) -> Finding:

@@ -17,20 +17,27 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.geometry.convex import Convex, Poses, convex_hull, find_gaps
+from freecad_fiveaxis.core.geometry.convex import Convex, convex_hull
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.geometry.solids import frustum_facets
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.bodies import FILE, SPHERE, SPINDLE, MachineBody, Vector, is_round
+from freecad_fiveaxis.core.machine.bodies import (
+    CONE,
+    CYLINDER,
+    FILE,
+    SPHERE,
+    SPINDLE,
+    MachineBody,
+    Vector,
+    is_round,
+)
 from freecad_fiveaxis.core.machine.kinematics import Setup
 from freecad_fiveaxis.core.tool.body import PARTS, Body, Piece
 
 from .carried_motion import CarriedMotion, carriers_from_base, steps_between, work_carrier
 from .fixtures import Fixture
 from .machine_bodies import make_mesh
-
-TOUCHING = 0.05
-"""mm; pieces of neighbours that are nearer with all joints at zero touch by construction."""
+from .neighbours import Line, find_granted, find_unevenness, is_hollow, touches
 
 PIECES = 128
 """Of bodies and tools, and pairs of them, that are kept for the next check: they are the same in each."""
@@ -43,7 +50,8 @@ enters the last."""
 class Carried(NamedTuple):
     """``name`` as it is told of, ``key`` as in a Hit; ``carrier``; ``kind``: TOOL, BODY or HELD;
     ``clearance`` mm of its own; ``stacked``: whether it goes with the tool wherever that is proven against
-    what table and base carry."""
+    what table and base carry; ``mesh``: what its hull is taken of, None for a plain solid; ``line``: what it
+    is round about, if it got flat sides."""
 
     name: str
     key: str
@@ -52,34 +60,34 @@ class Carried(NamedTuple):
     kind: int
     clearance: float = 0.0
     stacked: bool = False
+    mesh: Mesh | None = None
+    line: Line | None = None
 
 
 class CarriedPair(NamedTuple):
     """What is ``moved``, and how, seen from the carrier of what is ``standing``; ``enters`` and ``entered``:
-    the same two as they are told of."""
+    the same two as they are told of; ``granted`` mm: how deep neighbours may be in each other, None for what
+    is no neighbour."""
 
     moved: Carried
     standing: Carried
     motion: CarriedMotion
     enters: Carried
     entered: Carried
+    granted: float | None = None
 
 
 def carry_bodies(machine: Machine, progress: Progress = silent) -> list[Carried]:
     """Give the bodies of a machine's file. Raises FiveAxisError for a file that is no mesh."""
-    return [
-        Carried(
-            body.name, body.name, body.carrier, _body_piece(body, progress), BODY, body.clearance,
-            body.carrier == SPINDLE and is_round(body, machine.gauge_point),
-        )
-        for body in machine.bodies
-    ]  # fmt: skip
+    return [_carry_body(machine, body, progress) for body in machine.bodies]
 
 
-def _body_piece(body: MachineBody, progress: Progress) -> Convex:
-    if body.shape == FILE:  # it may be another one by now
-        return convex_hull(make_mesh(body, np.zeros(3), progress).vertex)
-    return _shape_piece(body)
+def _carry_body(machine: Machine, body: MachineBody, progress: Progress) -> Carried:
+    stacked = body.carrier == SPINDLE and is_round(body, machine.gauge_point)
+    mesh = make_mesh(body, np.zeros(3), progress) if body.shape == FILE else None  # it may be another by now
+    piece = _shape_piece(body) if mesh is None else convex_hull(mesh.vertex)
+    line = (body.points[0], body.points[1], max(body.radii)) if body.shape in (CYLINDER, CONE) else None
+    return Carried(body.name, body.name, body.carrier, piece, BODY, body.clearance, stacked, mesh, line)
 
 
 @lru_cache(PIECES)
@@ -97,7 +105,8 @@ def carry_work(
     held: list[tuple[str, str, Mesh]] = [] if part is None else [(say("part"), "", part)]
     held += [(one.name, one.name, one.mesh) for one in fixtures]
     return [
-        Carried(name, key, carrier, convex_hull(mesh.vertex + setup.origin), HELD) for name, key, mesh in held
+        Carried(name, key, carrier, convex_hull(mesh.vertex + setup.origin), HELD, mesh=mesh)
+        for name, key, mesh in held
     ]
 
 
@@ -127,19 +136,35 @@ def _tool_piece(piece: Piece, at: Vector) -> Convex:
 def pair_up(
     machine: Machine, carried: Sequence[Carried]
 ) -> tuple[list[CarriedPair], list[tuple[Carried, Carried]]]:
-    """Give the pairs that move against each other and are proven nowhere else, and of neighbours those that
-    touch with all joints at zero, which are none."""
-    pairs, touching = [], []
+    """Give the pairs that move against each other and are proven nowhere else, and those neighbours that
+    cannot be looked at (:mod:`.neighbours`)."""
+    pairs, left = list[CarriedPair](), list[tuple[Carried, Carried]]()
     for one, other in combinations(carried, 2):
         if BODY not in (one.kind, other.kind) or _with_the_tool(machine, one, other):
             continue
         if not steps_between(machine, one.carrier, other.carrier):
             continue
-        if _neighbours(machine, one, other) and touches(one.piece, other.piece):
-            touching.append((one, other))
+        ways = sorted(_ways(machine, one, other), key=_lever)
+        touching = _neighbours(machine, one, other) and touches(one.piece, other.piece)
+        pair = _grant(ways) if touching else ways[0]
+        if pair is None:
+            left.append((one, other))
         else:
-            pairs.append(min(_ways(machine, one, other), key=_lever))
-    return pairs, touching
+            pairs.append(pair)
+    return pairs, left
+
+
+def _grant(ways: Sequence[CarriedPair]) -> CarriedPair | None:
+    """Give a pair of neighbours with what is granted to it, in the first of the ways to look at it that tells
+    how deep it is; None where none does."""
+    if any(is_hollow(one.mesh) for one in (ways[0].moved, ways[0].standing)):
+        return None
+    for pair in ways:
+        granted = find_granted(pair.moved.piece, pair.standing.piece)
+        if granted is not None:
+            uneven = (find_unevenness(pair.motion, one.line) for one in (pair.moved, pair.standing))
+            return pair._replace(granted=granted + sum(uneven))
+    return None
 
 
 def _with_the_tool(machine: Machine, one: Carried, other: Carried) -> bool:
@@ -152,16 +177,12 @@ def _with_the_tool(machine: Machine, one: Carried, other: Carried) -> bool:
 
 def _neighbours(machine: Machine, one: Carried, other: Carried) -> bool:
     """Tell whether a pair can touch by construction: not across from table to head, which are anywhere at all
-    joints zero."""
+    joints zero; nor what is clamped and what passes it along a linear axis."""
+    steps = steps_between(machine, one.carrier, other.carrier)
+    if HELD in (one.kind, other.kind) and not all(step.axis.rotary for step in steps):
+        return False
     (near, down), (far, up) = (carriers_from_base(machine, each.carrier) for each in (one, other))
     return not near or not far or down == up
-
-
-@lru_cache(PIECES)
-def touches(one: Convex, other: Convex) -> bool:
-    """Tell whether two pieces touch, or are in each other, as they stand."""
-    still, none = Poses(np.eye(3)[None], np.zeros((1, 3))), np.zeros(1)
-    return bool(find_gaps(one, other, still, TOUCHING, none, np.array([[0.0, 0.0, 1.0]])).met[0])
 
 
 def _ways(machine: Machine, one: Carried, other: Carried) -> Iterator[CarriedPair]:

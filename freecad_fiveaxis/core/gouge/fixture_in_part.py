@@ -82,30 +82,30 @@ def _find_in_part(
 def find_deep(mesh: Mesh, other: Mesh) -> tuple[float, float, float] | None:
     """Find a place (3,) mm of the surface of ``mesh`` that lies deeper than PRESSED in the ``other``; None
     where no sample does, or that is not closed."""
-    near = _find_facets_near(mesh, other)
+    near = find_facets_near(mesh, other)
     if not near.any() or not is_closed(other):
         return None
-    point, _, _ = surface_samples(mesh, _choose_spacing(mesh, other), near)
-    return _take_first(_select_deep(point, other))
+    point, _, _ = surface_samples(mesh, choose_spacing(mesh, other), near)
+    return _take_first(select_deep(point, other))
 
 
 def find_common(mesh: Mesh, other: Mesh) -> tuple[float, float, float] | None:
     """Find a place (3,) mm that lies deeper than PRESSED in ``mesh`` and in the ``other``, little below the
     surface of the first; None where no sample does, or one is not closed."""
-    near = _find_facets_near(mesh, other, BELOW * PRESSED)
+    near = find_facets_near(mesh, other, BELOW * PRESSED)
     if not near.any() or not (is_closed(other) and is_closed(mesh)):
         return None
-    point, facet, _ = surface_samples(mesh, _choose_spacing(mesh, other), near)
+    point, facet, _ = surface_samples(mesh, choose_spacing(mesh, other), near)
     below = point - BELOW * PRESSED * mesh.normal[facet]
-    return _take_first(_select_deep(_select_deep(below, other), mesh))
+    return _take_first(select_deep(select_deep(below, other), mesh))
 
 
-def _select_deep(point: Floats, mesh: Mesh) -> Floats:
-    """Select those of the points (n, 3) mm that lie deeper than PRESSED in a closed mesh."""
+def select_deep(point: Floats, mesh: Mesh, depth: float = PRESSED) -> Floats:
+    """Select those of the points (n, 3) mm that lie deeper than ``depth`` mm in a closed mesh."""
     point = point[inside(facet_tree(mesh), point)]
     up = np.tile((0.0, 0.0, 1.0), (len(point), 1))
-    ball = Body((round_piece(0.0, PRESSED, PRESSED),))
-    return point[~enters(ball, facet_tree(mesh), point - PRESSED * up, up, NOTHING)]
+    ball = Body((round_piece(0.0, depth, depth),))
+    return point[~enters(ball, facet_tree(mesh), point - depth * up, up, NOTHING)]
 
 
 def _take_first(point: Floats) -> tuple[float, float, float] | None:
@@ -115,7 +115,7 @@ def _take_first(point: Floats) -> tuple[float, float, float] | None:
     return x, y, z
 
 
-def _find_facets_near(mesh: Mesh, other: Mesh, margin: float = 0.0) -> Bools:
+def find_facets_near(mesh: Mesh, other: Mesh, margin: float = 0.0) -> Bools:
     """Find the facets (f,) whose boxes reach into the other's box, or come nearer to it than a margin, mm."""
     low, high = other.box
     corner = mesh.vertex[mesh.face]
@@ -123,7 +123,7 @@ def _find_facets_near(mesh: Mesh, other: Mesh, margin: float = 0.0) -> Bools:
     return np.asarray(reach.all(axis=1))
 
 
-def _choose_spacing(mesh: Mesh, other: Mesh) -> float:
+def choose_spacing(mesh: Mesh, other: Mesh) -> float:
     """mm between samples: fine enough for the part of the boxes that both have, never so fine that samples
     are many."""
     low, high = (np.stack(ends) for ends in zip(mesh.box, other.box, strict=True))

@@ -41,9 +41,15 @@ def spindle_body(machine: Machine, length: float) -> Body:
     """Give what is round of what the spindle carries as pieces about the tool axis, heights from a driven
     point ``length`` mm below the gauge point."""
     pieces = []
-    for body in machine.bodies:
-        if body.carrier == SPINDLE and is_round(body, machine.gauge_point):
-            low, high = (point[2] - machine.gauge_point[2] + length for point in body.points)
-            wide = body.radii if body.shape == CONE else (body.radii[0], body.radii[0])
-            pieces.append(frustum_piece(low, wide[0], high, wide[1], SPINDLE_PART))
+    for body in find_round_bodies(machine):
+        low, high = (point[2] - machine.gauge_point[2] + length for point in body.points)
+        wide = body.radii if body.shape == CONE else (body.radii[0], body.radii[0])
+        pieces.append(frustum_piece(low, wide[0], high, wide[1], SPINDLE_PART))
     return Body(tuple(pieces))
+
+
+def find_round_bodies(machine: Machine) -> tuple[MachineBody, ...]:
+    """Find what is round of what the spindle carries, in the order of the pieces of :func:`spindle_body`."""
+    return tuple(
+        one for one in machine.bodies if one.carrier == SPINDLE and is_round(one, machine.gauge_point)
+    )

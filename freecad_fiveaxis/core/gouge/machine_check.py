@@ -21,19 +21,22 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, join_sentences, say
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.machine.bodies import BASE, MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import Body, grow_body
+from freecad_fiveaxis.core.tool.body import PARTS, Body, grow_body
+from freecad_fiveaxis.core.tool.body import SPINDLE as SPINDLE_PART
 
 from .body_pairs import REMEDY, PairCheck, check_pairs
 from .carried_pieces import Carried, carry_bodies, carry_tool, carry_work
 from .check import ROUGHLY, GougeCheck, check_program
 from .fixtures import Fixture
+from .inside import inside, is_closed
 from .joint_box import JointSpace
-from .machine_bodies import make_mesh, spindle_body
+from .machine_bodies import find_round_bodies, make_mesh, spindle_body
 from .machine_way import MachineWay, lay_way, plain_way
 from .rapid_check import check_rapids
 from .worst import Worst, find_unproven, find_worst, near_finding
@@ -73,6 +76,7 @@ def check_machine(
         *_report_guided(way),
         *_against_bodies(given, way, tolerance, progress),
         *_against_part(given, way, part, tolerance, progress),
+        *_near_fixtures(given, way, tolerance, progress),
         *_of_bodies(given, way, part, tolerance, progress),
     )
 
@@ -163,14 +167,37 @@ def _against_bodies(
         check = _check_on_way(mesh, stack, given, moved, tolerance, progress)
         new = [*_entering(body.name, body.name, check, given, program, tolerance)]
         new += _unproven(body.name, check, program, tolerance)
-        wanted = 0.0 if new else body.clearance or given.clearance
-        if wanted > tolerance:  # where it comes so near, the body grown by as much enters
-            check = _check_on_way(mesh, grow_body(stack, wanted), given, moved, tolerance, progress)
-            near = find_worst(check, program)
-            if near is not None:
-                at, place = _places(near, given, program)
-                new.append(near_finding(Code.MACHINE_NEAR, body.name, near._replace(place=place), wanted, at))
+        new += [] if new else _report_enclosed(body.name, body.name, mesh, given, moved)
+        for wanted, some in [] if new else group_by_clearance(given, body.clearance):
+            new += _coming_near((body.name, body.name), mesh, some, wanted, given, moved, tolerance, progress)
         yield from new
+
+
+def group_by_clearance(given: InMachine, clearance: float) -> list[tuple[float, Body]]:
+    """Give the pieces of the stack by how near, mm, they may come to a body with this ``clearance`` of its
+    own: what the spindle carries may have a larger one."""
+    spindle, bodies = spindle_of(given).pieces, find_round_bodies(given.machine)
+    wanted = [(clearance or given.clearance, piece) for piece in given.body.pieces]
+    for piece, body in zip(spindle, bodies if spindle else (), strict=True):
+        wanted.append((max(clearance, body.clearance) or given.clearance, piece))
+    alike = sorted({one for one, _ in wanted})
+    return [(one, Body(tuple(piece for by, piece in wanted if by == one))) for one in alike]
+
+
+def _coming_near(
+    name: tuple[str, str], mesh: Mesh, body: Body, wanted: float, given: InMachine, way: MachineWay,
+    tolerance: float, progress: Progress,
+) -> Iterator[Finding]:  # fmt: skip
+    """Yield where a ``body`` of the stack comes nearer than ``wanted`` mm to what is called so, and has this
+    key in a Hit: there the body, grown by as much, enters."""
+    if wanted <= tolerance:
+        return
+    near = find_worst(
+        _check_on_way(mesh, grow_body(body, wanted), given, way, tolerance, progress), way.program
+    )
+    if near is not None:
+        at, place = _places(near, given, way.program)
+        yield near_finding(Code.MACHINE_NEAR, name[0], near._replace(place=place), wanted, at, name[1])
 
 
 def _lock_way(given: InMachine, way: MachineWay, letters: str) -> MachineWay:
@@ -205,8 +232,32 @@ def _against_part(
     spindle, program = spindle_of(given), way.program
     if part is not None and spindle.pieces:
         check = _check_on_way(part, spindle, given, way, tolerance, progress)
-        yield from _entering(say("part"), "", check, given, program, tolerance)
-        yield from _unproven(say("part"), check, program, tolerance)
+        new = [*_entering(say("part"), "", check, given, program, tolerance)]
+        new += _unproven(say("part"), check, program, tolerance)
+        new += [] if new else _report_enclosed(say("part"), "", part, given, way)
+        for wanted, some in [] if new else group_own_clearances(given):
+            new += _coming_near((say("part"), ""), part, some, wanted, given, way, tolerance, progress)
+        yield from new
+
+
+def group_own_clearances(given: InMachine) -> list[tuple[float, Body]]:
+    """Give what the spindle carries by the clearance, mm, that it has itself."""
+    alone = replace(given, body=Body(()), clearance=0.0)
+    return [(wanted, some) for wanted, some in group_by_clearance(alone, 0.0) if wanted > 0.0]
+
+
+def _near_fixtures(
+    given: InMachine, way: MachineWay, tolerance: float, progress: Progress
+) -> Iterator[Finding]:
+    """Yield where what the spindle carries comes nearer to a fixture than its own clearance; what is nearer
+    than the clearance to all fixtures, or enters, is found by :mod:`.fixtures`."""
+    for fixture in given.fixtures:
+        for wanted, some in group_own_clearances(given):
+            if wanted > given.clearance:
+                name = fixture.name, fixture.name
+                for one in _coming_near(name, fixture.mesh, some, wanted, given, way, tolerance, progress):
+                    if one.value is not None and one.value > max(given.clearance, tolerance):
+                        yield one
 
 
 def _of_bodies(
@@ -269,6 +320,24 @@ def _entering(
     text, row, line = join_sentences((text, REMEDY)), worst.row, worst.line
     hit = Hit(worst.part, entered, worst.u)
     yield report_finding(Code.MACHINE_COLLISION, text, worst.depth, tolerance, row, line, place, hit=hit)
+
+
+def _report_enclosed(name: str, key: str, mesh: Mesh, given: InMachine, way: MachineWay) -> Iterator[Finding]:
+    """Yield where all of a piece that the spindle carries is in a closed body that it does not cross: there
+    may be air between it and the tool. Then it is so where a block ends."""
+    if not is_closed(mesh):
+        return
+    driven, axis = forward(given.kinematics, words_to_q(way.program.words))
+    held = np.zeros(len(driven), np.bool_)
+    for piece in spindle_of(given).pieces:
+        held |= inside(facet_tree(mesh), driven + (0.5 * (piece.low + piece.high) - given.back) * axis)
+    if held.any():
+        row, count = int(held.argmax()), int(np.count_nonzero(held))
+        text = say("In {count} blocks the whole spindle is inside the {name}.", count=count, name=name)
+        line, hit = int(way.program.line[row]), Hit(PARTS[SPINDLE_PART], key, None)
+        x, y, z = driven[row].tolist()
+        text = join_sentences((text, REMEDY))
+        yield report_finding(Code.MACHINE_COLLISION, text, block=row, line=line, place=(x, y, z), hit=hit)
 
 
 def _places(worst: Worst, given: InMachine, program: Program) -> tuple[Sentence, Vector]:

@@ -38,7 +38,7 @@ from freecad_fiveaxis.core.machine.kinematics import (
     words_to_q,
 )
 from freecad_fiveaxis.core.motion.joint_path.branches import POLE_ANGLE, within_limits
-from freecad_fiveaxis.core.tool.body import CUTTER, Body, Piece, extend_way_out, support
+from freecad_fiveaxis.core.tool.body import CUTTER, SPINDLE, Body, Piece, extend_way_out, support
 
 from .body_pairs import PARED
 from .body_search import Pair, free_cells
@@ -100,7 +100,9 @@ class PairInPose:
 
     @staticmethod
     def of(pair: CarriedPair, at: Ints, pared: float, margin: float, low: Floats, high: Floats) -> PairInPose:
-        """Give the pair of which ``pared`` mm may be in each other, thicker by ``margin`` mm."""
+        """Give the pair of which ``pared`` mm may be in each other, thicker by ``margin`` mm; neighbours are
+        not, but may be in each other by what is granted to them."""
+        pared, margin = pared + (pair.granted or 0.0), margin if pair.granted is None else 0.0
         standing, rounds = pair.standing.piece, pair.moved.piece.round + pair.standing.piece.round
         if rounds:
             return PairInPose(pair.motion, standing, at, margin - min(pared, 0.99 * rounds), low, high)
@@ -315,7 +317,8 @@ def _find_held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody
 
 
 def _in_body(stack: Body, body: HeldBody, tip: Floats, axis: Floats, limit: float) -> Bools:
-    """Whether (n,) the stack is in a body by more than ``limit`` mm, or its cutter all in it."""
+    """Whether (n,) the stack is in a body by more than ``limit`` mm, or its cutter or the
+    spindle all in it."""
     met, tree = np.zeros(len(tip), np.bool_), facet_tree(body.mesh)
     near = np.flatnonzero(_is_not_parted(_around(stack), body, tip, axis))
     if not len(near):
@@ -327,9 +330,10 @@ def _in_body(stack: Body, body: HeldBody, tip: Floats, axis: Floats, limit: floa
         rows = rows[~met[rows]]
         met[rows] = _enters(Body((piece,)), tree, tip[rows], axis[rows], limit)
     if is_closed(body.mesh):
-        rows = near[~met[near]]
-        rows = rows[_is_not_parted(stack.pieces[0], body, tip[rows], axis[rows])]
-        met[rows] = inside(tree, tip[rows] + stack.pieces[0].low * axis[rows])
+        for piece in (stack.pieces[0], *(one for one in stack.pieces[1:] if one.part == SPINDLE)):
+            rows = near[~met[near]]
+            rows = rows[_is_not_parted(piece, body, tip[rows], axis[rows])]
+            met[rows] = inside(tree, tip[rows] + piece.low * axis[rows])
     return met
 
 

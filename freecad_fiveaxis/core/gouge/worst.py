@@ -94,9 +94,11 @@ def find_nearest(
     return find_worst(check, program)
 
 
-def near_finding(code: Code, name: str, worst: Worst, clearance: float, at: object) -> Finding:
-    """Tell what comes nearer to a body of this ``name`` than the ``clearance``, mm, and ``at`` which
-    place."""
+def near_finding(
+    code: Code, name: str, worst: Worst, clearance: float, at: object, key: str | None = None
+) -> Finding:
+    """Tell what comes nearer to a body of this ``name`` than the ``clearance``, mm, and ``at`` which place;
+    ``key`` as in a Hit, None: its name."""
     distance = max(clearance - worst.depth, 0.0)
     text = say(
         "The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} "
@@ -104,5 +106,5 @@ def near_finding(code: Code, name: str, worst: Worst, clearance: float, at: obje
         part=worst.part, distance=Length(distance, ".3g"), name=name, at=at, count=worst.blocks,
         clearance=Length(clearance),
     )  # fmt: skip
-    row, line, near = worst.row, worst.line, Hit(worst.part, name, worst.u)
+    row, line, near = worst.row, worst.line, Hit(worst.part, name if key is None else key, worst.u)
     return report_finding(code, text, distance, clearance, row, line, worst.place, near=near)

@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.gouge.faces import facets_on
 from freecad_fiveaxis.core.gouge.fixture_in_part import report_in_part
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures
+from freecad_fiveaxis.core.gouge.placing import report_placing
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above, without_guided
@@ -76,6 +77,7 @@ from .options import (
     machine_of,
     post_options,
     rapids_of,
+    resolve_setup,
     search_folders,
     tip_to_driven,
     title_of,
@@ -299,6 +301,8 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
     entries += (
         check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
     )
+    solid = reference if isinstance(reference, Mesh) else None
+    apart += report_placing(draft.machine, resolve_setup(settings, draft.machine)[1], solid, draft.fixtures)
     hit = _in_fixtures(draft, progress) + look_in_machine(draft, against, progress)
     found = (
         apart + still_true(draft.findings, gouge, rest, entries) + deviation.findings + entries + hit + judged

@@ -60,6 +60,8 @@ def short_names() -> dict[str, str]:
         "not-freed": translate("FiveAxis", "Shank or holder not freed"),
         "table-collision": translate("FiveAxis", "Below the table"),
         "fixture-collision": translate("FiveAxis", "In a fixture"),
+        "fixture-in-body": translate("FiveAxis", "Fixture in a machine body"),
+        "part-in-body": translate("FiveAxis", "Part in a machine body"),
         "fixture-in-part": translate("FiveAxis", "Fixture in the part"),
         "machine-collision": translate("FiveAxis", "In the machine"),
         "fixture-near": translate("FiveAxis", "Near a fixture"),
