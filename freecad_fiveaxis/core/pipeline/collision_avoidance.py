@@ -16,11 +16,12 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Choice, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import (
     CURES,
     DIVIDE,
+    FREEING,
     GougeCheck,
     RestMaterial,
     SweptMotion,
@@ -167,6 +168,7 @@ def check_for_gouges(context: MillContext, program: Program) -> GougeCheck | Non
         context.progress,
         _remedy(settings),
         rapids,
+        _choose_freeing(settings),
     )
 
 
@@ -203,6 +205,19 @@ def _remedy(settings: Settings) -> str:
         "{way}.",
         way=way,
     )
+
+
+def _choose_freeing(settings: Settings) -> str:
+    """Return what helps against an entry of shank or holder, besides a cure at work already."""
+    if settings.gouge.gouge == "tilt":
+        return say(
+            "No tilt that was tried frees it there. Use a longer tool or a smaller holder, or leave these "
+            "places out ({leave_out}); between cuts use a larger clearance.",
+            leave_out=Choice("gouge", ("leave-out",)),
+        )
+    if settings.gouge.gouge == "leave-out":
+        return say("Use a longer tool or a smaller holder; between cuts use a larger clearance.")
+    return FREEING
 
 
 def still_true(

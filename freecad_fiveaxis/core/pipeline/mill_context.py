@@ -20,7 +20,13 @@ from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.orientation.axis_field import MARGIN
-from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field, select_facets
+from freecad_fiveaxis.core.orientation.facets_with_axis import (
+    OF_PART,
+    OF_WANTED,
+    Whole,
+    find_axis_field,
+    select_facets,
+)
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
 from freecad_fiveaxis.core.orientation.free_in_frames import stands_in
 from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of, spacing_radius
@@ -128,14 +134,14 @@ def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillCo
     reacher = reacher_of(settings, machine, context.kinematics, mesh, bodies)
     to_cut = np.append(facets, np.zeros(len(context.obstacles.face) - len(facets), np.bool_))
     reports = report_standing(mesh, standing & context.keep) + report_part_in_table(settings, machine, mesh)
-    field, frames = None, None
+    field, frames, whole = None, None, name_whole(mesh, context.chosen)
     if settings.passes.passes == FRAMES:
         count = int(settings.passes.frames)
-        frames, keep, left_out = find_frames(context.obstacles, to_cut, reacher, most, count, progress)
+        frames, keep, left_out = find_frames(context.obstacles, to_cut, reacher, most, count, progress, whole)
     else:
         field = find_axis_field(context.obstacles, to_cut, reacher, progress)
         fixtures = [one for one in list_blockers(replace(context, bodies=bodies)) if one.name]
-        keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher, fixtures)
+        keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher, fixtures, whole)
     context = replace(context, keep=keep[: len(facets)], field=field, frames=frames, bodies=bodies)
     return context, reports + left_out
 
@@ -156,6 +162,13 @@ def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
     """Return the facets (f,) that the part stands on, which stay uncut where axes are chosen freely and
     nobody says which are cut."""
     return np.asarray(standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None))
+
+
+def name_whole(mesh: Mesh, chosen: Bools | None) -> Whole:
+    """Return of what shares of a part are told: of all its surface, or of the facets ``chosen`` (f,)."""
+    if chosen is None:
+        return Whole(float(mesh.area.sum()), OF_PART)
+    return Whole(float(mesh.area[chosen].sum()), OF_WANTED)
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
