@@ -15,8 +15,8 @@ from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Area, Number, Point, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.geometry.mesh.lumps import find_boxes, number_lumps, pair_boxes
 from freecad_fiveaxis.core.gouge import count_solids, is_closed
-from freecad_fiveaxis.core.passes.sides import number_connected
 from freecad_fiveaxis.core.passes.within_limits import measure_facets
 
 OVER = 1e-5
@@ -58,25 +58,9 @@ def report_buried(mesh: Mesh, buried: Bools) -> tuple[Finding, ...]:
 
 def _find_overlapping(mesh: Mesh) -> Bools:
     """Find the facets (f,) of solids whose boxes overlap with that of another one."""
-    rows = np.arange(len(mesh.face))
-    solid = number_connected(mesh, rows >= 0, rows)
-    count = int(solid.max()) + 1
-    low, high = np.full((count, 3), np.inf), np.full((count, 3), -np.inf)
-    for corner in mesh.face.T:
-        np.minimum.at(low, solid, mesh.vertex[corner])
-        np.maximum.at(high, solid, mesh.vertex[corner])
-    wide = np.argsort(low[:, 0])
-    low, high = low[wide], high[wide]
-    met = np.zeros(count, np.bool_)
-    last = np.searchsorted(low[:, 0], high[:, 0], side="right")
-    for one in np.flatnonzero(last > np.arange(count) + 1).tolist():  # solids, not facets: few
-        others = slice(one + 1, last[one])
-        over = ((low[others] <= high[one]) & (high[others] >= low[one])).all(axis=1)
-        met[one] |= over.any()
-        met[others] |= over
-    overlapping = np.zeros(count, np.bool_)
-    overlapping[wide] = met
-    return np.asarray(overlapping[solid])
+    solid = number_lumps(mesh.coedge_face, len(mesh.face))
+    pairs = pair_boxes(*find_boxes(mesh.vertex, mesh.face, solid))
+    return np.asarray(np.isin(solid, pairs))
 
 
 def _size(mesh: Mesh) -> float:
