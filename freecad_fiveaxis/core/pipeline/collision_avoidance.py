@@ -259,7 +259,7 @@ def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bo
     """Return the share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away
     from the spindle is not counted. ``keep`` (f,): the facets that are cut."""
     out = _area_not_cut(findings, *NOT_CUT)
-    whole = float(mesh.area[keep].sum()) + out
+    whole = _measure_kept(findings, mesh, keep) + out
     return (out + rest_area(findings)) / whole
 
 
@@ -268,7 +268,7 @@ def divide_unfinished(
 ) -> Unfinished:
     """Return the share of :func:`compute_unfinished_share` with its parts: what findings say is out of reach,
     and what the settings leave. ``mapped``: whether all that stays is known from a map."""
-    whole = float(mesh.area[keep].sum()) + _area_not_cut(findings, *NOT_CUT)
+    whole = _measure_kept(findings, mesh, keep) + _area_not_cut(findings, *NOT_CUT)
     beyond = {code: _area_not_cut(findings, code) / whole for code in WHY}
     for code, area in _divide_uncut(findings).items():
         beyond[code] += area / whole
@@ -302,7 +302,13 @@ def _divide_uncut(findings: Sequence[Finding]) -> dict[Code, float]:
 def compute_finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """Return the area, mm2, of the facets that are cut, ``keep`` (f,), less what findings say stays on
     them."""
-    return float(mesh.area[keep].sum()) - rest_area(findings)
+    return _measure_kept(findings, mesh, keep) - rest_area(findings)
+
+
+def _measure_kept(findings: Sequence[Finding], mesh: Mesh, keep: Bools) -> float:
+    """Return the area, mm2, of the facets ``keep`` (f,), without what of them lies inside another solid."""
+    buried = sum(one.within or 0.0 for one in findings if one.code == Code.FACETS_INSIDE)
+    return float(mesh.area[keep].sum()) - buried
 
 
 def rest_area(findings: tuple[Finding, ...]) -> float:

@@ -56,7 +56,7 @@ from .fewer_axes import keeps_its_axis
 from .machine_around import bodies_in_pose
 from .options import axis_options, pass_options, reacher_of, travels
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
-from .overlapping import find_buried_facets, report_buried
+from .overlapping import find_buried_facets, measure_partly_buried, report_buried
 from .settings import FRAMES, Settings
 from .settings.tree import FROM_AXIS
 
@@ -79,7 +79,8 @@ def find_area(settings: Settings, mesh: Mesh, faces: Bools | None, avoided: Bool
     inside, near = facets_off(keep_off, mesh, inside)
     buried = find_buried_facets(mesh)
     whole = boundary is None and keep_off is None and not buried.any()
-    found = outside + near + report_buried(mesh, inside & buried)
+    partly = measure_partly_buried(mesh, inside & ~buried)
+    found = outside + near + report_buried(mesh, inside & buried, partly)
     return Area(faces if whole else inside & ~buried, boundary, keep_off, found)
 
 
