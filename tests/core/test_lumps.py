@@ -33,7 +33,7 @@ def reported(mesh):
 
 
 @pytest.mark.parametrize("first", [False, True])
-def test_a_solid_inside_out_beside_a_right_one_is_turned_and_that_is_said(first):
+def test_a_solid_inside_out_beside_a_right_one_is_turned_and_reported(first):
     """Whether it is the smaller of both or the larger, for then the whole mesh has been turned before."""
     large, small = box(*BLOCK), box(*BESIDE)
     mesh = solids(*((inverted(large), small) if first else (large, inverted(small))))
