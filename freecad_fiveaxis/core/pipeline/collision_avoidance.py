@@ -71,8 +71,6 @@ STRETCHES = frozenset({
 })  # fmt: skip
 """The codes of findings on stretches of passes that are left out for the tool axis."""
 
-JUDGED = frozenset({Code.SURFACE_TIGHTER_THAN_CUTTER, Code.HEEL_IN_HOLLOW})
-"""The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
 OUT_OF_REACH = (
     Code.FACETS_BEYOND_AXIS_ANGLE, Code.FACETS_BEYOND_MACHINE, Code.FACETS_WITHOUT_FREE_AXIS,
@@ -218,41 +216,6 @@ def _choose_freeing(settings: Settings) -> str:
     if settings.gouge.gouge == "leave-out":
         return say("Use a longer tool or a smaller holder; between cuts use a larger clearance.")
     return FREEING
-
-
-def still_true(
-    findings: tuple[Finding, ...],
-    check: GougeCheck | None,
-    rest: RestMaterial | None,
-    later: Sequence[Finding],
-) -> tuple[Finding, ...]:
-    """Return the findings without those that the check of the finished program and the map of what is left,
-    where there were any, have settled, by the findings ``later`` than these: a side of which the map finds
-    less than half uncut is swept from its neighbours, and corners in which it finds nothing are notes."""
-    uncut = area_of(later, Code.UNCUT) if rest is not None else math.inf
-
-    def stays(one: Finding) -> bool:
-        if one.code == Code.SIDE_NOT_MACHINED:
-            return (one.value or 0.0) <= 2.0 * uncut
-        return check is None or one.code not in JUDGED
-
-    true = tuple(one for one in findings if stays(one))
-    return true if rest is None else settle_corners(true, later)
-
-
-def settle_corners(findings: tuple[Finding, ...], later: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Return the findings, inside corners tighter than the cutter as notes where a map of what is left was
-    made and the findings ``later``, which hold what it found, tell of nothing uncut."""
-    if any(one.code == Code.UNCUT for one in later):
-        return findings
-    text = say(
-        "Inside corners are tighter than the cutter, but the map of what is left finds nowhere more in them "
-        "than may stay: twice the scallop and the tolerance."
-    )
-    return tuple(
-        replace(one, severity=Severity.NOTE, text=text) if one.code == Code.CORNER_NOT_REACHED else one
-        for one in findings
-    )
 
 
 def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
