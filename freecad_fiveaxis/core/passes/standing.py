@@ -35,10 +35,10 @@ def standing_facets(mesh: Mesh) -> Bools:
     flat = (mesh.normal[:, 2] < -FLAT) & (height <= float(mesh.box[0][2]) + LEVEL * size)
     whole = np.ones(len(flat), np.bool_)
     if not flat.any() or _stands(mesh, flat, whole):
-        return flat
-    lump = number_lumps(mesh.coedge_face, len(mesh.face)) if (mesh.coedge_face[:, 1] >= 0).all() else 0
-    if not np.any(lump):
-        return np.zeros_like(flat)
+        return np.asarray(flat)
+    lump = number_lumps(mesh.coedge_face, len(mesh.face))
+    if not lump.any() or (mesh.coedge_face[:, 1] < 0).any():
+        return np.zeros(len(flat), np.bool_)
     apart = number_apart(mesh.vertex, mesh.face, lump)
     low = np.unique(apart[flat])
     standing = low[[_stands(mesh, flat & (apart == one), apart == one) for one in low]]
