@@ -5256,6 +5256,10 @@
         <translation>Das Werkzeug dort abheben lassen oder solche Stellen auslassen ({lift}), oder einen kleineren Fräser nehmen; wo die Maschine den Weg um so viel verlässt, NC-Sätze teilen lassen ({divide}).</translation>
     </message>
     <message>
+        <source>Let the tool be tilted free or leave these places out ({tilt}), use a longer tool, or more lead or tilt.</source>
+        <translation>Das Werkzeug freikippen oder diese Stellen auslassen ({tilt}), ein längeres Werkzeug oder mehr Vor- oder Seitwärtsneigung verwenden.</translation>
+    </message>
+    <message>
         <source>Let the tool stick out {step} farther and it reaches {area} more.</source>
         <translation>Kragt das Werkzeug {step} weiter aus, erreicht es {area} mehr.</translation>
     </message>
@@ -5348,6 +5352,10 @@
         <translation>Keine Aufspannung des Bereichs hält alle Achsen in ihren Grenzen und das Werkstück auf dem Tisch.</translation>
     </message>
     <message>
+        <source>No tilt that was tried frees it there. Use a longer tool or a smaller holder, or leave these places out ({leave_out}); between cuts use a larger clearance.</source>
+        <translation>Keine der versuchten Neigungen macht es dort frei. Ein längeres Werkzeug oder einen kleineren Halter verwenden oder diese Stellen auslassen ({leave_out}); zwischen Schnitten einen größeren Sicherheitsabstand verwenden.</translation>
+    </message>
+    <message>
         <source>No tool length is active in {count} feed block, NC line {line}: the control takes the tool for one of length 0 and drives it in by its length, if work zero was not set with this tool. {remedy}</source>
         <translation>In {count} Vorschubsatz, NC-Zeile {line}, ist keine Werkzeuglänge wirksam: Die Steuerung hält das Werkzeug für 0 lang und fährt es um seine Länge ins Teil, wenn der Nullpunkt nicht mit ihm gesetzt wurde. {remedy}</translation>
     </message>
@@ -5420,6 +5428,10 @@
         <translation>Auf etwa {area} des Erreichbaren lässt sich das Werkzeug entlang keiner probierten Achse herausziehen: Bahnen, die von dort nicht weiterführen, werden beim Fräsen ausgelassen.</translation>
     </message>
     <message>
+        <source>On steep walls passes stand no closer than the least interval, and between them alone up to {estimate} would stay. Other passes cut there: the map of what is left finds at most {height} anywhere.</source>
+        <translation>An steilen Wänden stehen Bahnen nicht enger als der kleinste Abstand, und zwischen ihnen allein bliebe bis zu {estimate} stehen. Dort schneiden andere Bahnen: Die Karte des Restmaterials findet nirgends mehr als {height}.</translation>
+    </message>
+    <message>
         <source>On steep walls {count} of the passes stand no closer than {least}: material up to {height} high stays between them where scallops of {scallop} are asked. Give a smaller {option}, or turn the passes along the walls.</source>
         <translation>An steilen Wänden stehen {count} Bahnen nicht enger als {least}: zwischen ihnen bleibt Material bis {height} hoch stehen, wo Kuppen von {scallop} verlangt sind. {option} kleiner angeben oder die Bahnen längs der Wände drehen.</translation>
     </message>
@@ -5454,6 +5466,10 @@
     <message>
         <source>On {machine} with correction {cure}: {what}</source>
         <translation>Auf {machine} mit Korrektur {cure}: {what}</translation>
+    </message>
+    <message>
+        <source>Once the tool retracts between two cuts and {letter} turns back above the part, within its limits: that takes time and leaves no mark.</source>
+        <translation>Einmal hebt das Werkzeug zwischen zwei Schnitten ab, und {letter} dreht über dem Werkstück zurück, um in seinen Grenzen zu bleiben: Das kostet Zeit und hinterlässt keine Spur.</translation>
     </message>
     <message>
         <source>One shape of {name} moves with the tool's length; it is taken for the tool, not for a body.</source>
@@ -5840,6 +5856,10 @@
         <translation>Die Rundachsen können nicht zur geschwenkten Ebene drehen: {reason}. Die Maschine des Programms wählen.</translation>
     </message>
     <message>
+        <source>The rotary limits make the tool retract, turn back and re-engage inside cuts, {count} times.</source>
+        <translation>Die Grenzen der Drehachsen zwingen das Werkzeug innerhalb von Schnitten {count}-mal, abzuheben, zurückzudrehen und neu anzusetzen.</translation>
+    </message>
+    <message>
         <source>The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding explains. The program may come from another CL path, or its machine have directions or axes that are not tried here.</source>
         <translation>Die Zeilen liegen um bis zu {worst} und {lean} neben der besten Maschine, das {scale}-fache dessen, was Rundung erklärt. Das Programm kommt vielleicht von einem anderen CL-Weg, oder seine Maschine hat Richtungen oder Achsen, die hier nicht erprobt werden.</translation>
     </message>
@@ -6040,10 +6060,6 @@
         <translation>{part}: dringt bei {at} {depth} ins Werkstück ein.</translation>
     </message>
     <message>
-        <source>The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), use a longer tool, or more lead or tilt.</source>
-        <translation>{part}: dringt bei {at} {depth} ins Werkstück ein. Das Werkzeug freikippen lassen oder diese Stellen auslassen ({tilt}), ein längeres Werkzeug oder mehr Voreil- oder Seitwinkel nehmen.</translation>
-    </message>
-    <message>
         <source>The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is {other}, the two letters are exchanged).</source>
         <translation>{what} dreht {wrong}, {opposite}: {letter} hat das falsche Vorzeichen. Eine andere Achse dreht: es ist nicht {letter} (ist es {other}, sind die beiden Buchstaben vertauscht).</translation>
     </message>
@@ -6106,6 +6122,10 @@
     <message>
         <source>Under {split} the program begins and ends at the reference point of Z, because before it no tool length is active. Set the machine file's safe_start to reference or machine.</source>
         <translation>Unter {split} beginnt und endet das Programm am Referenzpunkt von Z, weil vorher keine Werkzeuglänge gilt. safe_start der Maschinendatei auf reference oder machine setzen.</translation>
+    </message>
+    <message>
+        <source>Use a longer tool or a smaller holder; between cuts use a larger clearance.</source>
+        <translation>Ein längeres Werkzeug oder einen kleineren Halter verwenden; zwischen Schnitten einen größeren Sicherheitsabstand.</translation>
     </message>
     <message>
         <source>Use a smaller cutter or another tool axis there.</source>
@@ -8040,8 +8060,16 @@
         <translation>der Kugelmitte</translation>
     </message>
     <message>
+        <source>of the part</source>
+        <translation>des Teils</translation>
+    </message>
+    <message>
         <source>of the tip</source>
         <translation>der Spitze</translation>
+    </message>
+    <message>
+        <source>of what is to be machined</source>
+        <translation>der zu bearbeitenden Fläche</translation>
     </message>
     <message>
         <source>of what stays a fixture keeps the tool off so much</source>
@@ -9548,28 +9576,28 @@
         <translation>{area} ({share} % des Netzes) bei {place} liegen in einem anderen Volumenkörper des Teils und werden nicht bearbeitet. Die Volumenkörper im CAD vereinigen, damit Bahnen an der Naht enden.</translation>
     </message>
     <message>
-        <source>{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.</source>
-        <translation>{area} ({share} % des Teils) werden ausgelassen, denn dort ist keine Werkzeugachse frei: {remedy}.</translation>
-    </message>
-    <message>
         <source>{area} ({share} % of the part) beside the faces to avoid are not cut, as at {place}: the cutter would come nearer to these than {allowance}. Cut them with a smaller cutter, or with a smaller allowance.</source>
         <translation>{area} ({share} % des Werkstücks) neben den ausgesparten Flächen werden nicht gefräst, etwa bei {place}: der Fräser käme diesen näher als {allowance}. Fräsen Sie sie mit einem kleineren Fräser oder mit kleinerem Abstand.</translation>
-    </message>
-    <message>
-        <source>{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets there. Turn the part over, or raise the largest axis angle.</source>
-        <translation>{area} ({share} % des Teils) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse bis {most} von Z kommt dorthin. Das Teil wenden oder den größten Achswinkel erhöhen.</translation>
     </message>
     <message>
         <source>{area} ({share} % of the part) on facets of their own, as at {place}, lie so near to the faces to avoid that they are left out: the cutter would come nearer to these than {allowance}.</source>
         <translation>{area} ({share} % des Werkstücks) auf ganzen Facetten, etwa bei {place}, liegen so nahe an den ausgesparten Flächen, dass sie ausgelassen werden: der Fräser käme diesen näher als {allowance}.</translation>
     </message>
     <message>
-        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames, nor along any other axis that was tried: use a smaller tool.</source>
-        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei und auch in keiner anderen Richtung, die versucht wurde: ein kleineres Werkzeug nehmen.</translation>
+        <source>{area} ({share} % {of_whole}) are left out, for no tool axis is free there: {remedy}.</source>
+        <translation>{area} ({share} % {of_whole}) werden ausgelassen, weil dort keine Werkzeugachse frei ist: {remedy}.</translation>
     </message>
     <message>
-        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames, though it is along other axes: {more}.</source>
-        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei, in anderen Richtungen aber schon: {more}.</translation>
+        <source>{area} ({share} % {of_whole}) look down and are left out: no tool axis within {most} of Z gets there. Turn the part over, or raise the largest axis angle.</source>
+        <translation>{area} ({share} % {of_whole}) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse innerhalb von {most} um Z kommt dorthin. Das Werkstück wenden oder den größten Achswinkel erhöhen.</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % {of_whole}), the first at {place}, are left out, for the tool is free there in none of the {count} frames, nor along any other axis that was tried: use a smaller tool.</source>
+        <translation>{area} ({share} % {of_whole}), die erste Stelle bei {place}, werden ausgelassen, weil das Werkzeug dort in keiner der {count} Anstellungen frei ist, auch entlang keiner anderen versuchten Achse: ein kleineres Werkzeug verwenden.</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % {of_whole}), the first at {place}, are left out, for the tool is free there in none of the {count} frames, though it is along other axes: {more}.</source>
+        <translation>{area} ({share} % {of_whole}), die erste Stelle bei {place}, werden ausgelassen, weil das Werkzeug dort in keiner der {count} Anstellungen frei ist, wohl aber entlang anderer Achsen: {more}.</translation>
     </message>
     <message>
         <source>{at} in the machine frame with the axes that carry it at zero</source>
@@ -9768,6 +9796,10 @@
         <translation>{count} Facetten, die erste bei {at}, zeigten zur anderen Seite als ihre Nachbarn und wurden umgedreht.</translation>
     </message>
     <message>
+        <source>{count} facets, the first at {at}, make solids that looked inward beside others and were turned outward. Check the export if one of them should be a cavity.</source>
+        <translation>{count} Facetten, die erste bei {at}, bilden Körper, die neben anderen nach innen zeigten und nach außen gewendet wurden. Den Export prüfen, falls einer davon ein Hohlraum sein soll.</translation>
+    </message>
+    <message>
         <source>{count} feed blocks</source>
         <translation>{count} Vorschubsätzen</translation>
     </message>
@@ -9952,12 +9984,8 @@
         <translation>{count} Anweisungen, Zeilen {lines}</translation>
     </message>
     <message>
-        <source>{count} times the limits of {letter} make the tool retract and turn back above the part between two cuts: that takes time and leaves no mark.</source>
-        <translation>{count}-mal lassen die Grenzen von {letter} das Werkzeug zwischen zwei Schnitten freifahren und über dem Werkstück zurückdrehen: das kostet Zeit und hinterlässt keine Marke.</translation>
-    </message>
-    <message>
-        <source>{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.</source>
-        <translation>{count}-mal lassen die Grenzen der Rundachsen das Werkzeug mitten im Schnitt freifahren, zurückdrehen und wieder eintauchen.</translation>
+        <source>{count} times the tool retracts between two cuts and {letter} turns back above the part, within its limits: that takes time and leaves no mark.</source>
+        <translation>{count}-mal hebt das Werkzeug zwischen zwei Schnitten ab, und {letter} dreht über dem Werkstück zurück, um in seinen Grenzen zu bleiben: Das kostet Zeit und hinterlässt keine Spur.</translation>
     </message>
     <message>
         <source>{count} tool axes are no unit vectors; they are scaled to length 1.</source>

@@ -382,15 +382,16 @@ def test_what_no_axis_frees_is_not_called_missed_nor_requested_with_other_passes
     mesh, keep = block(), np.ones(12, bool)
     frames = Frames(np.eye(3)[2:], np.zeros((10, 3)), np.tile(np.eye(3)[2], (10, 1)), np.array([0] * 6 + [-1] * 4), 1.0)  # fmt: skip
     elsewhere = np.zeros(10, bool)
-    (none,) = find_frames._unseen(frames, elsewhere, mesh, keep, keep, 12)
+    whole = find_frames.Whole(float(mesh.area.sum()), find_frames.OF_PART)
+    (none,) = find_frames._unseen(frames, elsewhere, mesh, keep, keep, 12, whole)
     assert none.code == "facets-without-free-axis" and "other passes" not in none.text
     assert none.value == none.within == pytest.approx(0.4 * mesh.area.sum())
     elsewhere[-2:] = True
-    free, none = find_frames._unseen(frames, elsewhere, mesh, keep, keep, 12)
+    free, none = find_frames._unseen(frames, elsewhere, mesh, keep, keep, 12, whole)
     assert (free.code, none.code) == ("outside-frames", "facets-without-free-axis")
     assert free.value == none.value == pytest.approx(0.2 * mesh.area.sum()) and "other passes" in free.text
     seen = np.arange(12) >= 2
-    dropped = find_frames._unseen(frames, elsewhere, mesh, keep, seen, 12)
+    dropped = find_frames._unseen(frames, elsewhere, mesh, keep, seen, 12, whole)
     assert sum(one.value - one.within for one in dropped) == pytest.approx(mesh.area[:2].sum())
 
 

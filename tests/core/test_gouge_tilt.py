@@ -138,6 +138,15 @@ def test_what_no_tilt_frees_is_reported_with_its_place():
     assert reported.value > 20.0 and reported.place is not None and "max-tilt" in reported.text
 
 
+@pytest.mark.parametrize("gouge", ["report", "tilt"])
+def test_a_holder_that_hits_advises_only_what_has_not_been_tried(gouge):
+    result = job.prove(result_of(step(WALL), gouge=gouge, **{**LONG, "max_tilt": 2}))
+    text = str(next(one.text for one in result.findings if one.code == "holder-collision"))
+    assert ("be tilted free" in text) == (gouge == "report")
+    assert ("No tilt that was tried" in text and "smaller holder" in text) == (gouge == "tilt")
+    assert "longer tool" in text and "leave" in text
+
+
 def test_tilted_axes_stay_within_the_rotary_limits_and_the_largest_tilt(along):
     outcome = along[1]
     assert axes_within_limits(outcome.kinematics, outcome.path.axis).all()

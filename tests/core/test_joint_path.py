@@ -348,6 +348,7 @@ def test_an_axis_rather_turns_back_between_two_cuts_than_inside_one(monkeypatch)
     assert joints.rewinds == 1 and not inside(joints, path) and not list_reported(joints, "rewind")
     (one,) = list_reported(joints, "rewinds-between-cuts")
     assert one.value == 1.0 and one.severity == Severity.NOTE and one.block is not None
+    assert str(one.text).startswith("Once the tool retracts between two cuts and C turns back")
     monkeypatch.setattr(plan, "BETWEEN", 1.0)
     before = solve(path, kinematics, LOW, HIGH, CLEARANCE)
     assert before.rewinds == 1 and inside(before, path) == 1 and list_reported(before, "rewind")

@@ -8,7 +8,12 @@ from plain import build_settings
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.overlapping import find_buried_facets, report_buried
+from freecad_fiveaxis.core.pipeline.collision_avoidance import compute_unfinished_share
+from freecad_fiveaxis.core.pipeline.overlapping import (
+    find_buried_facets,
+    measure_partly_buried,
+    report_buried,
+)
 
 
 def divided(corners, times=3):
@@ -77,3 +82,35 @@ def test_a_program_leaves_them_out_and_says_so_instead_of_calling_them_too_tight
     draft = job.make(build_settings("mill", "part.stl", given | {"gouge": "off"}), mesh=post_in_plate())
     codes = {one.code: one for one in draft.findings}
     assert "facets-inside" in codes and codes["facets-inside"].value > 200.0
+
+
+def two_blocks():
+    """Blocks of 12 facets each, which reach out of each other: 17 by 20 by 10 mm of room in common."""
+    return from_triangles(np.concatenate([box((-15, -15, 0), (15, 15, 10)), box((-2, -7, 0), (18, 13, 20))]))
+
+
+def test_what_reaches_out_of_another_solid_counts_only_where_it_does():
+    mesh = two_blocks()
+    buried = find_buried_facets(mesh)
+    partly = measure_partly_buried(mesh, ~buried)
+    in_common = 340 + 200 + 200 + 170 + 170
+    assert partly + mesh.area[buried].sum() == pytest.approx(in_common, rel=0.02)
+    (found,) = report_buried(mesh, buried, partly)
+    assert found.value == pytest.approx(in_common, rel=0.02) and found.within == partly
+    assert measure_partly_buried(from_triangles(box((0, 0, 0), (9, 9, 9))), np.ones(12, bool)) == 0.0
+
+
+def test_what_lies_inside_another_solid_is_neither_finished_nor_left():
+    """The map finds up to 10 mm left where no surface of the part is, on half of what it looks at."""
+    options = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 3, "rest": "on"}
+    settings = build_settings("mill", "part", {**options, "passes": "scallop", "tool_axis": "auto"})
+    result = job.prove(job.make(settings, mesh=two_blocks()))
+    x, y, z = result.rest.point.T
+    inside = (np.abs(x - 8) < 9.9) & (np.abs(y - 3) < 9.9) & (z < 19.9)
+    inside |= (np.abs(x) < 14.9) & (np.abs(y) < 14.9) & (z < 9.9)
+    assert not (inside & (z > 0.1)).any() and result.rest.height.max() < 3.0
+    draft = result.draft
+    (found,) = (one for one in result.findings if one.code == "facets-inside")
+    share = compute_unfinished_share(result.findings, draft.mesh, draft.keep)
+    left = sum(one.value for one in result.findings if one.code == "uncut")
+    assert share == pytest.approx(left / (draft.mesh.area[draft.keep].sum() - found.within))

@@ -18,8 +18,9 @@ from freecad_fiveaxis.core.gouge import RestMaterial, report_uncut, too_tight
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.too_tight import find_ball, find_too_tight
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished, leaves_out, still_true
+from freecad_fiveaxis.core.pipeline.collision_avoidance import divide_unfinished, leaves_out
 from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.pipeline.settle_findings import still_true
 from freecad_fiveaxis.core.report import as_text, summary, verdict
 from freecad_fiveaxis.core.report.unfinished import Unfinished, name_unfinished
 from freecad_fiveaxis.core.tool import parse_cutter

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cutter, shank and holder against the whole part, along the way that they really go."""
 
-from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_program, program_motion
+from .check import CURES, DIVIDE, FREEING, GOUGES, GougeCheck, check_motion, check_program, program_motion
 from .inside import count_solids, inside, is_closed
 from .known_depths import Entries
 from .outline import Outline, outline
@@ -15,6 +15,7 @@ from .too_tight import report_uncut
 __all__ = [
     "CURES",
     "DIVIDE",
+    "FREEING",
     "GOUGES",
     "Entries",
     "GougeCheck",

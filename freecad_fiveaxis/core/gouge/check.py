@@ -8,7 +8,7 @@ spot        blocks that follow one another and all enter. Each of the deepest sp
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -62,16 +62,13 @@ WITH_REMEDY = {
         "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; "
         "where the part is over the tool, let it be lifted there or leave such places out ({lift})."
     ),
-    Code.HOLDER_COLLISION: Template(
-        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places "
-        "out ({tilt}), use a longer tool, or more lead or tilt."
-    ),
+    Code.HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
 }
 
 PLAIN = {
     Code.OVERCUT: WITH_REMEDY[Code.OVERCUT],
     Code.RAPID_COLLISION: Template("The cutter goes {depth} into the part at {at}, not cutting."),
-    Code.HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
+    Code.HOLDER_COLLISION: WITH_REMEDY[Code.HOLDER_COLLISION],
 }
 """The same of a program that is only looked at: what helps is not ours to do."""
 
@@ -82,6 +79,13 @@ CURES = say(
     divide=DIVIDE,
 )
 """What is said against an overcut where nothing has been done yet."""
+
+FREEING = say(
+    "Let the tool be tilted free or leave these places out ({tilt}), use a longer tool, or more lead or "
+    "tilt.",
+    tilt=TILT,
+)
+"""What is said against an entry of shank or holder where nothing has been done yet."""
 
 Where = Callable[[int], tuple[int | None, int | None]]
 """From a block of the swept motion to the block of the program and the line of the NC file."""
@@ -116,13 +120,14 @@ def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[Code, 
 
 def check_motion(
     mesh: Mesh, body: Body, swept: SweptMotion, motion: Bytes, tolerance: float, where: Where | None = None,
-    progress: Progress = silent, remedy: str = CURES,
+    progress: Progress = silent, remedy: str = CURES, freeing: str = FREEING,
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a swept motion against the whole mesh.
 
     ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and
     none deeper is missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings
-    advise against overcuts, empty where nothing can be changed here.
+    advise against overcuts, empty where nothing can be changed here; ``freeing``: likewise against entries of
+    shank and holder.
     """
     tree = facet_tree(mesh)
     cutter = find_entries(body.only(CUTTER), tree, swept, tolerance, progress=progress)
@@ -132,7 +137,16 @@ def check_motion(
         buried = find_buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)
     whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
     findings = _findings(
-        cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), swept, whole, remedy
+        cutter,
+        above,
+        buried,
+        motion,
+        tolerance,
+        where or (lambda block: (block, None)),
+        swept,
+        whole,
+        remedy,
+        freeing,
     )
     return GougeCheck(cutter, above, buried, findings)
 
@@ -167,7 +181,7 @@ def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> Sw
 def check_program(
     mesh: Mesh, body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0,
     progress: Progress = silent,
-    remedy: str = CURES, rapids: str = INTERPOLATED,
+    remedy: str = CURES, rapids: str = INTERPOLATED, freeing: str = FREEING,
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a program, along the way that the machine really goes; see :func:`check_motion`
     and :func:`program_motion`. ``rapids``: one of :data:`~.base.rapids.RAPIDS`; where the axes may run
@@ -178,7 +192,15 @@ def check_program(
         return block + 1, int(program.line[block + 1])
 
     check = check_motion(
-        mesh, body, swept, program.motion[1:], tolerance, where, progress=progress, remedy=remedy
+        mesh,
+        body,
+        swept,
+        program.motion[1:],
+        tolerance,
+        where,
+        progress=progress,
+        remedy=remedy,
+        freeing=freeing,
     )
     if rapids == INTERPOLATED:
         return check
@@ -194,31 +216,41 @@ def check_program(
 def _findings(
     cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where,
     swept: SweptMotion,
-    whole: float, remedy: str,
+    whole: float, remedy: str, freeing: str,
 ) -> tuple[Finding, ...]:  # fmt: skip
     found: list[Finding] = []
+    advice = {Code.OVERCUT: remedy, Code.HOLDER_COLLISION: freeing if remedy else ""}
     for code, entries, depth in _cases(cutter, above, motion):
         found += _spots(
-            code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf
+            code,
+            WITH_REMEDY if remedy else PLAIN,
+            advice.get(code, ""),
+            entries,
+            depth,
+            tolerance,
+            where,
+            whole if entries is cutter else np.inf,
         )
     return (*found, *_report_buried(buried, where, swept))
 
 
 def _spots(
-    code: Code, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
+    code: Code, words: Mapping[Code, Template], remedy: str, entries: Entries, depth: Floats,
+    tolerance: float, where: Where, whole: float,
 ) -> list[Finding]:  # fmt: skip
     """Return the deepest block of each of the deepest spots; the first one says how many there are. From a
-    depth of ``whole`` mm on more than the depth may be in the part."""
+    depth of ``whole`` mm on more than the depth may be in the part. ``words``: what is said of each code,
+    before its ``remedy``."""
     worst, blocks = spots(depth)
     found = []
     for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
         x, y, z = entries.place[block].tolist()
         amount: Length | Sentence = Length(depth[block], ".4g")
         amount = say("at least {depth}", depth=amount) if depth[block] >= whole else amount
-        sentence = (WITH_REMEDY if remedy else PLAIN)[code].say(
-            depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT
+        sentence = words[code].say(
+            depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT
         )
-        sentence = join_sentences((sentence, remedy if code == Code.OVERCUT else ""))
+        sentence = join_sentences((sentence, remedy))
         if k == 0 and blocks > 1:
             sentence += deepest_of(blocks, len(worst))
         row, line = where(block)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import scipy
@@ -43,6 +44,16 @@ from .axis_field import (
 )
 from .blocked_places import PART, Blocker, choose_places, find_blockers
 from .blocking_body import find_blocking_body
+
+OF_PART, OF_WANTED = say("of the part"), say("of what is to be machined")
+
+
+class Whole(NamedTuple):
+    """Of what shares are told: its ``area``, mm2, and how it is named behind a per cent sign."""
+
+    area: float
+    name: Sentence
+
 
 NEAREST = 6
 """Nodes whose mean a contact takes."""
@@ -116,15 +127,17 @@ def find_axis_field(
 
 def select_facets(
     field: AxisField, mesh: Mesh, facets: Bools, most: float, reacher: Reacher | None = None,
-    fixtures: Sequence[Blocker] = (),
+    fixtures: Sequence[Blocker] = (), whole: Whole | None = None,
 ) -> tuple[Bools, tuple[Finding, ...]]:  # fmt: skip
     """Choose those of ``facets`` (f,) on or near which a node has a free axis, and say by reason what is left
     out.
 
     ``most`` rad: the largest angle from +Z that was wanted; ``reacher``: with which a longer tool is tried
     where the machine is in the way, None: none is; ``fixtures``: what is named where it is in the way, and
-    not the part. Raises ReachError where nothing is left.
+    not the part; ``whole``: of what shares are told, None: of the mesh. Raises ReachError where nothing is
+    left.
     """
+    whole = Whole(float(mesh.area.sum()), OF_PART) if whole is None else whole
     some, out = field.freedom.some, np.zeros(len(mesh.face), np.bool_)
     if some.all():
         return facets, ()
@@ -151,8 +164,9 @@ def select_facets(
     if reacher is not None and fixtures and out.any():
         blocking[rows] = _find_fixtures(field, about, mesh, reacher, fixtures)
         blocking[~out | (reason == Obstacle.LIMITS) | (reason == Obstacle.TABLE)] = PART
-    by_fixture = _report_at_fixtures(mesh, blocking, fixtures)
-    return facets & ~out, by_fixture + _report_left_out(mesh, out & (blocking < 0), reason, most, longer)
+    by_fixture = _report_at_fixtures(mesh, blocking, fixtures, whole)
+    by_others = _report_left_out(mesh, out & (blocking < 0), reason, most, longer, whole)
+    return facets & ~out, by_fixture + by_others
 
 
 def _find_fixtures(
@@ -166,14 +180,16 @@ def _find_fixtures(
     return np.asarray(found[scipy.spatial.cKDTree(nodes.places()).query(about)[1]])
 
 
-def _report_at_fixtures(mesh: Mesh, blocking: Ints, fixtures: Sequence[Blocker]) -> tuple[Finding, ...]:
+def _report_at_fixtures(
+    mesh: Mesh, blocking: Ints, fixtures: Sequence[Blocker], whole: Whole
+) -> tuple[Finding, ...]:
     """Say how much area is left out for each fixture, of the facets (f,) at which it is in the way."""
     found = []
     for number, one in enumerate(fixtures):
         group = blocking == number
         if group.any():
             why = say("the fixture {fixture} is in the way; clamp the part otherwise", fixture=one.name)
-            found.append(_report_group(mesh, group, why, ""))
+            found.append(_report_group(mesh, group, why, "", whole))
     return tuple(found)
 
 
@@ -209,47 +225,50 @@ def _try_longer(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
     return ""
 
 
-def _report_left_out(mesh: Mesh, out: Bools, reason: Ints, most: float, longer: str) -> tuple[Finding, ...]:
+def _report_left_out(
+    mesh: Mesh, out: Bools, reason: Ints, most: float, longer: str, whole: Whole
+) -> tuple[Finding, ...]:
     """How much area is left out for each reason; the place is the middle of the largest such facet."""
     down = out & (reason == Obstacle.LIMITS) & (mesh.normal[:, 2] < -math.sin(LEVEL))
     groups = [(obstacle, out & ~down & (reason == obstacle)) for obstacle in _REMEDY]
     return (
-        *_looking_down(mesh, down, most),
-        *(_without_axis(mesh, group, why, longer) for why, group in groups if group.any()),
+        *_looking_down(mesh, down, most, whole),
+        *(_without_axis(mesh, group, why, longer, whole) for why, group in groups if group.any()),
     )
 
 
-def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
+def _looking_down(mesh: Mesh, down: Bools, most: float, whole: Whole) -> tuple[Finding, ...]:
     if not down.any():
         return ()
-    lost, share, place = _area_of(mesh, down)
+    lost, share, place = _area_of(mesh, down, whole)
     text = say(
-        "{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets "
+        "{area} ({share} % {of_whole}) look down and are left out: no tool axis within {most} of Z gets "
         "there. Turn the part over, or raise the largest axis angle.",
-        area=Area(lost, ".6g"), share=share, most=Angle(math.degrees(most)),
+        area=Area(lost, ".6g"), share=share, of_whole=whole.name, most=Angle(math.degrees(most)),
     )  # fmt: skip
     return (report_finding(Code.FACETS_LOOKING_DOWN, text, lost, 0.0, place=place),)
 
 
-def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle, longer: str) -> Finding:
-    return _report_group(mesh, group, _REMEDY[obstacle], longer if obstacle == Obstacle.MACHINE else "")
+def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle, longer: str, whole: Whole) -> Finding:
+    longer = longer if obstacle == Obstacle.MACHINE else ""
+    return _report_group(mesh, group, _REMEDY[obstacle], longer, whole)
 
 
-def _report_group(mesh: Mesh, group: Bools, remedy: Sentence, longer: str) -> Finding:
-    lost, share, place = _area_of(mesh, group)
+def _report_group(mesh: Mesh, group: Bools, remedy: Sentence, longer: str, whole: Whole) -> Finding:
+    lost, share, place = _area_of(mesh, group, whole)
     text = say(
-        "{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.",
-        area=Area(lost, ".6g"), share=share, remedy=remedy,
+        "{area} ({share} % {of_whole}) are left out, for no tool axis is free there: {remedy}.",
+        area=Area(lost, ".6g"), share=share, of_whole=whole.name, remedy=remedy,
     )  # fmt: skip
     text = join_sentences((text, longer))
     return report_finding(Code.FACETS_WITHOUT_FREE_AXIS, text, lost, 0.0, place=place)
 
 
-def _area_of(mesh: Mesh, group: Bools) -> tuple[float, Number, tuple[float, float, float]]:
-    """mm2, share of the part in per cent, and the middle of the largest facet."""
+def _area_of(mesh: Mesh, group: Bools, whole: Whole) -> tuple[float, Number, tuple[float, float, float]]:
+    """mm2, share of the whole in per cent, and the middle of the largest facet."""
     area = np.where(group, mesh.area, 0.0)
     x, y, z = mesh.vertex[mesh.face[int(area.argmax())]].mean(axis=0).tolist()
-    return float(area.sum()), Number(100.0 * float(area.sum() / mesh.area.sum()), ".3g"), (x, y, z)
+    return float(area.sum()), Number(100.0 * float(area.sum()) / whole.area, ".3g"), (x, y, z)
 
 
 _REMEDY: dict[Obstacle, Sentence] = {

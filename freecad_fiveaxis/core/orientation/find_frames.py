@@ -39,7 +39,7 @@ from .axis_field import (
     surface_nodes,
     with_margin,
 )
-from .facets_with_axis import AxisField, select_facets
+from .facets_with_axis import OF_PART, AxisField, Whole, select_facets
 
 MOST = 12
 """Frames, at most."""
@@ -71,30 +71,39 @@ STEPS = 72
 """Positions of a single rotary axis that are tried."""
 
 _ELSEWHERE = Template(
-    "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none "
+    "{area} ({share} % {of_whole}), the first at {place}, are left out, for the tool is free there in none "
     "of the {count} frames, though it is along other axes: {more}."
 )
 _NOWHERE = Template(
-    "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none "
+    "{area} ({share} % {of_whole}), the first at {place}, are left out, for the tool is free there in none "
     "of the {count} frames, nor along any other axis that was tried: use a smaller tool."
 )
 _KINDS = ((Code.OUTSIDE_FRAMES, _ELSEWHERE), (Code.FACETS_WITHOUT_FREE_AXIS, _NOWHERE))
 
 
 def find_frames(
-    mesh: Mesh, facets: Bools, reacher: Reacher, most: float, count: int = MOST, progress: Progress = silent
+    mesh: Mesh,
+    facets: Bools,
+    reacher: Reacher,
+    most: float,
+    count: int = MOST,
+    progress: Progress = silent,
+    whole: Whole | None = None,
 ) -> tuple[Frames, Bools, tuple[Finding, ...]]:
     """Find at most ``count`` frames for ``facets`` (f,), those of them that are cut in any (f,), and what is
     left out.
 
-    ``reacher``: tool, machine and table; ``most`` rad: the largest angle from +Z that was wanted. Raises
-    ReachError where nothing is left, SettingsError for sizes that no tool has.
+    ``reacher``: tool, machine and table; ``most`` rad: the largest angle from +Z that was wanted; ``whole``:
+    of what shares are told, None: of the mesh. Raises ReachError where nothing is left, SettingsError for
+    sizes that no tool has.
     """
+    whole = Whole(float(mesh.area.sum()), OF_PART) if whole is None else whole
     tree, wide = facet_tree(mesh), with_margin(reacher)
     nodes = surface_nodes(mesh, facets, reacher, tree)
     freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress, False)
     freedom = Freedom(freedom.direction, freedom.free, np.zeros_like(freedom.upright), freedom.met)
-    keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most, reacher)
+    field = AxisField(nodes, freedom, nodes.normal)
+    keep, left_out = select_facets(field, mesh, facets, most, reacher, whole=whole)
     chosen = _cover_of(nodes, freedom, count)
     places, direction = surface_nodes(mesh, keep, reacher, tree, PLACES), freedom.direction
     rest = np.flatnonzero(
@@ -108,7 +117,7 @@ def find_frames(
     elsewhere = np.zeros(len(free), np.bool_)
     elsewhere[rest] = looked.free.any(axis=1)
     seen = _facets_seen(frames, places, mesh, keep)
-    reports = (*left_out, *_unseen(frames, elsewhere, mesh, keep, seen, count), _report_frames(frames))
+    reports = (*left_out, *_unseen(frames, elsewhere, mesh, keep, seen, count, whole), _report_frames(frames))
     return frames, seen, reports
 
 
@@ -223,7 +232,7 @@ def _nodes_of(nodes: Nodes, rows: Ints) -> Nodes:
 
 
 def _unseen(
-    frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, seen: Bools, count: int
+    frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, seen: Bools, count: int, whole: Whole
 ) -> tuple[Finding, ...]:
     """Return the area that no frame sees, by the share of the places: what is free under another direction
     (``elsewhere`` (n,)), and what under none; nothing where it is no more than a single place. Facets
@@ -237,7 +246,7 @@ def _unseen(
     more = say("allow more frames") if len(frames.axis) == count < MOST else say("cut that with other passes")
     kinds = zip(_KINDS, _divide_unseen(out, elsewhere), strict=True)
     return tuple(
-        _report_unseen(code, text, frames.point[some], each, each - dropped, mesh, len(frames.axis), more)
+        _report_unseen(code, text, frames.point[some], each, each - dropped, whole, len(frames.axis), more)
         for (code, text), some in kinds
         if some.any()
     )
@@ -253,13 +262,13 @@ def _divide_unseen(out: Bools, elsewhere: Bools) -> tuple[Bools, Bools]:
 
 
 def _report_unseen(
-    code: Code, text: Template, place: Floats, each: float, within: float, mesh: Mesh, count: int,
+    code: Code, text: Template, place: Floats, each: float, within: float, whole: Whole, count: int,
     more: Sentence,
 ) -> Finding:  # fmt: skip
     """Report places (k, 3) of ``each`` mm2, of which so much lies ``within`` facets that are cut."""
     lost, (x, y, z) = each * len(place), place[0].tolist()
     sentence = text.say(
-        area=Area(lost, ".4g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"),
+        area=Area(lost, ".4g"), share=Number(100.0 * lost / whole.area, ".3g"), of_whole=whole.name,
         place=Point((x, y, z)), count=count, more=more,
     )  # fmt: skip
     return report_finding(code, sentence, lost, 0.0, place=(x, y, z), within=within * len(place))

@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.geometry.mesh.lumps import number_apart, number_lumps
 
 from .within_limits import LEVEL, measure_facets
 
@@ -29,11 +30,19 @@ FLAT = 0.9999
 
 def standing_facets(mesh: Mesh) -> Bools:
     """Mask (f,) of the facets on which the part stands; none where they do not surround the middle of its
-    surface from below."""
+    surface from below. Of a closed part in several lumps that do not touch each may stand by itself."""
     height, size = mesh.vertex[mesh.face, 2].max(axis=1), float(np.ptp(mesh.vertex, axis=0).max())
     flat = (mesh.normal[:, 2] < -FLAT) & (height <= float(mesh.box[0][2]) + LEVEL * size)
-    corner = mesh.vertex[mesh.face[flat]].reshape(-1, 3)[:, :2]
-    return np.asarray(flat & _surround(corner, _middle(mesh)))
+    whole = np.ones(len(flat), np.bool_)
+    if not flat.any() or _stands(mesh, flat, whole):
+        return np.asarray(flat)
+    lump = number_lumps(mesh.coedge_face, len(mesh.face))
+    if not lump.any() or (mesh.coedge_face[:, 1] < 0).any():
+        return np.zeros(len(flat), np.bool_)
+    apart = number_apart(mesh.vertex, mesh.face, lump)
+    low = np.unique(apart[flat])
+    standing = low[[_stands(mesh, flat & (apart == one), apart == one) for one in low]]
+    return np.asarray(flat & np.isin(apart, standing))
 
 
 def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
@@ -50,9 +59,15 @@ def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
     return (report_finding(Code.FACETS_LOOKING_DOWN, text, area, 0.0, place=(x, y, z)),)
 
 
-def _middle(mesh: Mesh) -> Floats:
-    """Return the middle (2,) of the surface, mm, seen from above."""
-    return np.asarray(np.average(mesh.vertex[mesh.face].mean(axis=1)[:, :2], axis=0, weights=mesh.area))
+def _stands(mesh: Mesh, flat: Bools, lump: Bools) -> bool:
+    """Tell whether the facets ``flat`` (f,) surround the middle of the facets ``lump`` (f,)."""
+    return _surround(mesh.vertex[mesh.face[flat]].reshape(-1, 3)[:, :2], _middle(mesh, lump))
+
+
+def _middle(mesh: Mesh, lump: Bools) -> Floats:
+    """Return the middle (2,) of the surface of these facets (f,), mm, seen from above."""
+    place = mesh.vertex[mesh.face[lump]].mean(axis=1)[:, :2]
+    return np.asarray(np.average(place, axis=0, weights=mesh.area[lump]))
 
 
 def _surround(corner: Floats, middle: Floats) -> bool:

@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.toolpath.cut_at_boundary import cut_at_boundary
 
 from .context import MillContext
 from .options import compute_driven_to_hub
+from .overlapping import make_buried_test
 from .settings import Settings
 
 CENTRE = "centre"
@@ -68,14 +69,18 @@ def cut_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[
 
 def make_place_test(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
     """Return what tells of places (k, 3) mm on facets (k,) of the part whether they lie within the boundary,
-    and far enough from faces to avoid, so that something is to be cut there; where the centre counts, the
-    place of a ball's over them. None where there is neither."""
+    far enough from faces to avoid, and inside no other solid of the part, so that something is to be cut
+    there; where the centre counts, the place of a ball's over them. None where there is nothing of these."""
     within, keep_off, mesh = _within(context), context.keep_off, context.mesh
-    if keep_off is None:
-        return within
-    return lambda point, facet: (
-        keep_off.allows(mesh, point, facet) & (True if within is None else within(point, facet))
-    )
+    tests: list[Callable[[Floats, Ints], Bools]] = [] if within is None else [within]
+    if keep_off is not None:
+        tests.append(lambda point, facet: keep_off.allows(mesh, point, facet))
+    is_buried = make_buried_test(mesh)
+    if is_buried is not None:
+        tests.append(lambda point, facet: ~is_buried(point, facet))
+    if not tests:
+        return None
+    return lambda point, facet: np.asarray(np.all([test(point, facet) for test in tests], axis=0))
 
 
 def _within(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:

@@ -16,11 +16,12 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Choice, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import (
     CURES,
     DIVIDE,
+    FREEING,
     GougeCheck,
     RestMaterial,
     SweptMotion,
@@ -70,8 +71,6 @@ STRETCHES = frozenset({
 })  # fmt: skip
 """The codes of findings on stretches of passes that are left out for the tool axis."""
 
-JUDGED = frozenset({Code.SURFACE_TIGHTER_THAN_CUTTER, Code.HEEL_IN_HOLLOW})
-"""The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
 OUT_OF_REACH = (
     Code.FACETS_BEYOND_AXIS_ANGLE, Code.FACETS_BEYOND_MACHINE, Code.FACETS_WITHOUT_FREE_AXIS,
@@ -167,6 +166,7 @@ def check_for_gouges(context: MillContext, program: Program) -> GougeCheck | Non
         context.progress,
         _remedy(settings),
         rapids,
+        _choose_freeing(settings),
     )
 
 
@@ -205,46 +205,24 @@ def _remedy(settings: Settings) -> str:
     )
 
 
-def still_true(
-    findings: tuple[Finding, ...],
-    check: GougeCheck | None,
-    rest: RestMaterial | None,
-    later: Sequence[Finding],
-) -> tuple[Finding, ...]:
-    """Return the findings without those that the check of the finished program and the map of what is left,
-    where there were any, have settled, by the findings ``later`` than these: a side of which the map finds
-    less than half uncut is swept from its neighbours, and corners in which it finds nothing are notes."""
-    uncut = area_of(later, Code.UNCUT) if rest is not None else math.inf
-
-    def stays(one: Finding) -> bool:
-        if one.code == Code.SIDE_NOT_MACHINED:
-            return (one.value or 0.0) <= 2.0 * uncut
-        return check is None or one.code not in JUDGED
-
-    true = tuple(one for one in findings if stays(one))
-    return true if rest is None else settle_corners(true, later)
-
-
-def settle_corners(findings: tuple[Finding, ...], later: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Return the findings, inside corners tighter than the cutter as notes where a map of what is left was
-    made and the findings ``later``, which hold what it found, tell of nothing uncut."""
-    if any(one.code == Code.UNCUT for one in later):
-        return findings
-    text = say(
-        "Inside corners are tighter than the cutter, but the map of what is left finds nowhere more in them "
-        "than may stay: twice the scallop and the tolerance."
-    )
-    return tuple(
-        replace(one, severity=Severity.NOTE, text=text) if one.code == Code.CORNER_NOT_REACHED else one
-        for one in findings
-    )
+def _choose_freeing(settings: Settings) -> str:
+    """Return what helps against an entry of shank or holder, besides a cure at work already."""
+    if settings.gouge.gouge == "tilt":
+        return say(
+            "No tilt that was tried frees it there. Use a longer tool or a smaller holder, or leave these "
+            "places out ({leave_out}); between cuts use a larger clearance.",
+            leave_out=Choice("gouge", ("leave-out",)),
+        )
+    if settings.gouge.gouge == "leave-out":
+        return say("Use a longer tool or a smaller holder; between cuts use a larger clearance.")
+    return FREEING
 
 
 def compute_unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """Return the share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away
     from the spindle is not counted. ``keep`` (f,): the facets that are cut."""
     out = _area_not_cut(findings, *NOT_CUT)
-    whole = float(mesh.area[keep].sum()) + out
+    whole = _measure_kept(findings, mesh, keep) + out
     return (out + rest_area(findings)) / whole
 
 
@@ -253,7 +231,7 @@ def divide_unfinished(
 ) -> Unfinished:
     """Return the share of :func:`compute_unfinished_share` with its parts: what findings say is out of reach,
     and what the settings leave. ``mapped``: whether all that stays is known from a map."""
-    whole = float(mesh.area[keep].sum()) + _area_not_cut(findings, *NOT_CUT)
+    whole = _measure_kept(findings, mesh, keep) + _area_not_cut(findings, *NOT_CUT)
     beyond = {code: _area_not_cut(findings, code) / whole for code in WHY}
     for code, area in _divide_uncut(findings).items():
         beyond[code] += area / whole
@@ -287,7 +265,13 @@ def _divide_uncut(findings: Sequence[Finding]) -> dict[Code, float]:
 def compute_finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """Return the area, mm2, of the facets that are cut, ``keep`` (f,), less what findings say stays on
     them."""
-    return float(mesh.area[keep].sum()) - rest_area(findings)
+    return _measure_kept(findings, mesh, keep) - rest_area(findings)
+
+
+def _measure_kept(findings: Sequence[Finding], mesh: Mesh, keep: Bools) -> float:
+    """Return the area, mm2, of the facets ``keep`` (f,), without what of them lies inside another solid."""
+    buried = sum(one.within or 0.0 for one in findings if one.code == Code.FACETS_INSIDE)
+    return float(mesh.area[keep].sum()) - buried
 
 
 def rest_area(findings: tuple[Finding, ...]) -> float:

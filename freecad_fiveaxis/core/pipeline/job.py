@@ -62,7 +62,6 @@ from .collision_avoidance import (
     enters_table,
     find_rest_of_program,
     rest_material_findings,
-    still_true,
 )
 from .context import Box, MillContext, PostContext
 from .driving import drive, post_path
@@ -91,6 +90,7 @@ from .programs import MilledProgram, MillSource, PostedProgram, ProgramDraft, Re
 from .rotary_axis import settle_rotary_axis
 from .safe_start import add_safe_start
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part, name_units
+from .settle_findings import still_true
 from .start_plane import find_written_plane
 from .stl_files import read_job_fixtures, read_mesh
 

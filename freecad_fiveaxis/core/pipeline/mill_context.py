@@ -20,7 +20,13 @@ from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.orientation.axis_field import MARGIN
-from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field, select_facets
+from freecad_fiveaxis.core.orientation.facets_with_axis import (
+    OF_PART,
+    OF_WANTED,
+    Whole,
+    find_axis_field,
+    select_facets,
+)
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
 from freecad_fiveaxis.core.orientation.free_in_frames import stands_in
 from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of, spacing_radius
@@ -50,7 +56,7 @@ from .fewer_axes import keeps_its_axis
 from .machine_around import bodies_in_pose
 from .options import axis_options, pass_options, reacher_of, travels
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
-from .overlapping import find_buried_facets, report_buried
+from .overlapping import find_buried_facets, measure_partly_buried, report_buried
 from .settings import FRAMES, Settings
 from .settings.tree import FROM_AXIS
 
@@ -73,7 +79,8 @@ def find_area(settings: Settings, mesh: Mesh, faces: Bools | None, avoided: Bool
     inside, near = facets_off(keep_off, mesh, inside)
     buried = find_buried_facets(mesh)
     whole = boundary is None and keep_off is None and not buried.any()
-    found = outside + near + report_buried(mesh, inside & buried)
+    partly = measure_partly_buried(mesh, inside & ~buried)
+    found = outside + near + report_buried(mesh, inside & buried, partly)
     return Area(faces if whole else inside & ~buried, boundary, keep_off, found)
 
 
@@ -128,14 +135,14 @@ def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillCo
     reacher = reacher_of(settings, machine, context.kinematics, mesh, bodies)
     to_cut = np.append(facets, np.zeros(len(context.obstacles.face) - len(facets), np.bool_))
     reports = report_standing(mesh, standing & context.keep) + report_part_in_table(settings, machine, mesh)
-    field, frames = None, None
+    field, frames, whole = None, None, name_whole(mesh, context.chosen)
     if settings.passes.passes == FRAMES:
         count = int(settings.passes.frames)
-        frames, keep, left_out = find_frames(context.obstacles, to_cut, reacher, most, count, progress)
+        frames, keep, left_out = find_frames(context.obstacles, to_cut, reacher, most, count, progress, whole)
     else:
         field = find_axis_field(context.obstacles, to_cut, reacher, progress)
         fixtures = [one for one in list_blockers(replace(context, bodies=bodies)) if one.name]
-        keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher, fixtures)
+        keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher, fixtures, whole)
     context = replace(context, keep=keep[: len(facets)], field=field, frames=frames, bodies=bodies)
     return context, reports + left_out
 
@@ -156,6 +163,13 @@ def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
     """Return the facets (f,) that the part stands on, which stay uncut where axes are chosen freely and
     nobody says which are cut."""
     return np.asarray(standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None))
+
+
+def name_whole(mesh: Mesh, chosen: Bools | None) -> Whole:
+    """Return of what shares of a part are told: of all its surface, or of the facets ``chosen`` (f,)."""
+    if chosen is None:
+        return Whole(float(mesh.area.sum()), OF_PART)
+    return Whole(float(mesh.area[chosen].sum()), OF_WANTED)
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:

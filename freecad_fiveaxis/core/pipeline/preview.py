@@ -39,7 +39,7 @@ from .context import MillContext
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import choose_facets
 from .machine_around import bodies_in_pose
-from .mill_context import Area, begin_context, find_area, find_region, find_standing
+from .mill_context import Area, begin_context, find_area, find_region, find_standing, name_whole
 from .options import machine_of, reacher_of, read_scallop
 from .over_table import AUTO, largest_axis_angle
 from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
@@ -150,7 +150,9 @@ def _context(
                 reacher_of(settings, machine, kinematics, mesh, bodies),
                 int(settings.passes.frames),
             )
-            frames, keep, left_out = find_frames(context.obstacles, wanted, reacher, most, count, progress)
+            frames, keep, left_out = find_frames(
+                context.obstacles, wanted, reacher, most, count, progress, name_whole(mesh, context.chosen)
+            )
     if not keep.any():
         raise ReachError(say("no facet can be cut: over none of those chosen the tool axis may stand"), None)
     return replace(context, keep=keep, frames=frames), area.findings + left_out

@@ -18,6 +18,10 @@ FLAT_FACETS = Template(
 INWARD_FACETS = Template(
     "All {count} facets looked inward and were turned outward; check the export if only some of them should."
 )
+INWARD_LUMPS = Template(
+    "{count} facets, the first at {at}, make solids that looked inward beside others and were turned "
+    "outward. Check the export if one of them should be a cavity."
+)
 TURNED_FACETS = Template(
     "{count} facets, the first at {at}, faced the other way than their neighbours and were turned round."
 )

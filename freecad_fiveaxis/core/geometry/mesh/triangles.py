@@ -26,10 +26,11 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
 
-from .faults import CHANGES, FLAT_FACETS, INWARD_FACETS, JOIN_FINDINGS, TURNED_FACETS, report_at
+from .faults import CHANGES, FLAT_FACETS, INWARD_FACETS, INWARD_LUMPS, JOIN_FINDINGS, TURNED_FACETS, report_at
 from .given_numbers import find_range, read_numbers
 from .half_edges import HalfEdges, find_coedges, sort_half_edges
 from .join import join_facets
+from .lumps import find_inward, number_lumps
 from .weld import Reals, separate, weld
 from .winding import find_turned
 from .words import T
@@ -181,8 +182,9 @@ def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh
 
 def join_loose(mesh: Mesh) -> Mesh:
     """Return the mesh with facets joined that ought to hang together, and those turned round that face the
-    other way than their neighbours; where there are none, the mesh itself."""
-    return _turn_facets(_join_facets(mesh))
+    other way than their neighbours, or inward as a whole lump beside others; where there are none, the mesh
+    itself."""
+    return _turn_lumps(_turn_facets(_join_facets(mesh)))
 
 
 def _join_facets(mesh: Mesh) -> Mesh:
@@ -215,6 +217,27 @@ def _turn_facets(mesh: Mesh) -> Mesh:
     kept = [one for one in mesh.findings if one.code in CHANGES]
     one_way = from_faces(mesh.vertex, face)
     return replace(one_way, findings=(*kept, found, *one_way.findings))
+
+
+def _turn_lumps(mesh: Mesh) -> Mesh:
+    """Return the mesh without lumps that are solids written inside out beside others."""
+    lump = number_lumps(mesh.coedge_face, len(mesh.face))
+    closed = np.ones(int(lump.max()) + 1, np.bool_)
+    closed[lump[mesh.coedge_face[mesh.coedge_face[:, 1] < 0, 0]]] = False
+    inward = find_inward(mesh.vertex, mesh.face, lump, closed & (len(closed) > 1))
+    if not inward.any():
+        return mesh
+    face = mesh.face.copy()
+    face[inward] = face[inward, ::-1]
+    all_turned = any(one.code == Code.INWARD_FACETS for one in mesh.findings)
+    turned = ~inward if all_turned else inward  # what was turned twice is as it was
+    first = mesh.face[np.flatnonzero(turned)[0]]
+    found = report_at(
+        Code.INWARD_FACETS, INWARD_LUMPS, mesh.vertex, first, count=int(np.count_nonzero(turned))
+    )
+    kept = [one for one in mesh.findings if one.code != Code.INWARD_FACETS]
+    right = from_faces(mesh.vertex, face)
+    return replace(right, findings=(*kept, found))
 
 
 def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:

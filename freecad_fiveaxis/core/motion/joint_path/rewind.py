@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Length, say
+from freecad_fiveaxis.core.base.sentences import Angle, Length, plural, say
 from freecad_fiveaxis.core.base.vectors import slerp
 from freecad_fiveaxis.core.machine.kinematics import (
     Chain,
@@ -339,7 +339,7 @@ def rewind_findings(
         )
     if len(inside) > 1:
         text = say(
-            "{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.",
+            "The rotary limits make the tool retract, turn back and re-engage inside cuts, {count} times.",
             count=len(inside),
         )
         findings.append(
@@ -368,10 +368,12 @@ def _report_between(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints
         return []
     step = int(breaks[0])
     axis = int(np.abs(given.angles[step + 1] - given.angles[step]).argmax())
-    text = say(
-        "{count} times the limits of {letter} make the tool retract and turn back above the part between two "
-        "cuts: that takes time and leaves no mark.",
-        count=len(breaks),
+    text = plural(
+        len(breaks),
+        "Once the tool retracts between two cuts and {letter} turns back above the part, within its limits: "
+        "that takes time and leaves no mark.",
+        "{count} times the tool retracts between two cuts and {letter} turns back above the part, within its "
+        "limits: that takes time and leaves no mark.",
         letter=kinematics.letters[3 + axis],
     )
     block, place = int(np.searchsorted(driven.row, step + 1)), _point(given.path.tip[step])
