@@ -29,7 +29,7 @@ MARKS = str.maketrans("′’″”−·×÷", "''\"\"-**/")
 """Signs that are typed or pasted for others."""
 TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?(?![.,\d]))"
-    r"|(?P<name>[^\W\d_]+|°|''|'|\")|(?P<sign>[-+*/^()²³]))"
+    r"|(?P<name>[^\W\d_²³]+|°|''|'|\")|(?P<sign>[-+*/^()²³]))"
 )
 THOUSANDS = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
 LONGEST, DEEPEST, HIGHEST = 200, 20, 4
@@ -91,7 +91,9 @@ def check_range(text: str, number: float, low: float, high: float) -> None:
     """Raise SettingsError for a number that a box does not hold."""
     if not low <= number <= high:
         ends = {"low": field_text(low, 0), "high": field_text(high, 0)}
-        raise SettingsError(say("{text} is out of range; type {low} to {high}", text=text.strip(), **ends), text)
+        raise SettingsError(
+            say("{text} is out of range; type {low} to {high}", text=text.strip(), **ends), text
+        )
 
 
 class _NotRead(Exception):
@@ -99,7 +101,7 @@ class _NotRead(Exception):
 
 
 class _Reader:
-    """Reads one text. ``angles``: ' and \" are minutes and seconds, else feet and inches."""
+    """Reads one text. ``angles``: ' and '' are minutes and seconds, else feet and inches."""
 
     def __init__(self, text: str, angles: bool, point: str) -> None:
         self.angles, self.point, self.at, self.depth = angles, point, 0, 0
@@ -132,7 +134,7 @@ class _Reader:
         return total
 
     def signed(self) -> Value:
-        """Return measures behind each other with one sign before all: -5' 3\"."""
+        """Return measures behind each other with one sign before all: -5' 3 in."""
         factor = -1.0 if self.take("-") else 1.0
         self.take("+")
         total = self.product()

@@ -43,12 +43,19 @@ def test_what_is_not_meant_so_is_refused_with_the_text(text, kind):
 
 
 def test_the_unit_of_a_box_may_stand_behind_the_number_and_others_are_turned_into_it():
-    for text, feed in (("1000", 1000), ("1000 mm/min", 1000), ("10 mm/s", 600), ("1 m/min", 1000), ("100 in/min", 2540)):
+    for text, feed in (
+        ("1000", 1000),
+        ("1000 mm/min", 1000),
+        ("10 mm/s", 600),
+        ("1 m/min", 1000),
+        ("100 in/min", 2540),
+    ):
         assert read_typed(text, "feed", 1 / 60, tail=" mm/min") == pytest.approx(feed), text
     assert read_typed("254 mm/min", "feed", 25.4 / 60, tail=" in/min") == pytest.approx(10.0)
     assert read_typed("8000 1/min", "whole", tail=" 1/min") == 8000.0
     assert read_typed("6 °/s", "turns", 1 / 60, tail=" °/min") == pytest.approx(360.0)
     assert read_typed("2 m/s^2", "acceleration", tail=" mm/s²") == pytest.approx(2000.0)
+    assert read_typed("2 m/s²", "acceleration", tail=" mm/s²") == pytest.approx(2000.0)
     assert read_typed("2 in", "length", 25.4) == pytest.approx(2.0) and read_typed("2", "length", 25.4) == 2.0
 
 
@@ -66,4 +73,6 @@ def test_a_number_that_a_box_does_not_hold_is_refused():
 
 def test_every_unit_of_length_that_freecad_knows_is_known():
     for name in ("nm", "um", "µm", "mm", "cm", "dm", "m", "km", "in", "ft", "thou", "mil", "yd", "mi"):
-        assert read_typed(f"3 {name}", "length") == pytest.approx(FreeCAD.Units.Quantity(f"3 {name}").Value), name
+        assert read_typed(f"3 {name}", "length") == pytest.approx(
+            FreeCAD.Units.Quantity(f"3 {name}").Value
+        ), name
