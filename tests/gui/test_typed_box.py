@@ -142,7 +142,7 @@ def test_a_value_that_is_shown_or_stepped_to_takes_the_refused_text_away(show, t
     assert field.editor.text() == "6°" and field.value() == 6.0 and not field.says("error")
 
 
-def test_a_box_that_is_emptied_means_none_where_there_may_be_none(show, key, pump):
+def test_a_box_that_is_emptied_means_none_where_there_may_be_none(show, key, until):
     for field, value, text in (
         (NumberField("tool", whole=True, optional=True), None, "not given"),
         (OpenField("axis_low", "none", -float("inf"), ""), -float("inf"), "none"),
@@ -151,10 +151,11 @@ def test_a_box_that_is_emptied_means_none_where_there_may_be_none(show, key, pum
         show(field).show_value(7.0)
         line = field.editor.findChild(QtWidgets.QLineEdit)
         line.setFocus()
+        until(line.hasFocus, 5000, "the keys")
         line.selectAll()
         key(line, QtCore.Qt.Key_Delete)
         key(line, QtCore.Qt.Key_Tab)
-        pump(50)
+        until(lambda line=line: not line.hasFocus(), 5000, "another box")
         assert (field.value(), field.editor.text()) == (value, text)
         assert bool(field.says("error")) == (not text)
 

@@ -17,6 +17,8 @@ class MeasureBox(TypedBox):
     """``kind``: "length" or "angle". It reads any unit that FreeCAD knows, and what is reckoned: ``0.5 in``,
     ``10 mm / 3``."""
 
+    factor = 1.0  # Qt asks what it shows before it is given
+
     def __init__(self, kind: str) -> None:
         super().__init__(kind)
         self.measure(kind)

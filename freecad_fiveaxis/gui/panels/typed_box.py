@@ -32,7 +32,8 @@ class TypedBox(QtWidgets.QDoubleSpinBox):
     def __init__(self, kind: str, places: tuple[int, int] = (2, 6), least: float = -MOST) -> None:
         super().__init__()
         self.kind, self.unit, self.tail, self.places, self.unset = kind, 1.0, "", places, ""
-        self.refused, self.reason, self.kept = "", "", 0.0
+        self.refused: str | None = None
+        self.reason, self.kept = "", 0.0
         self.begun: float | None = None  # the number before the typing that goes on
         self.setDecimals(PRECISION)
         self.setRange(least, MOST)
@@ -66,12 +67,12 @@ class TypedBox(QtWidgets.QDoubleSpinBox):
 
     def accept_text(self) -> None:
         """Forget what was refused."""
-        self._refuse("", "", float(self.value()))
+        self._refuse(None, "", float(self.value()))
 
-    def _refuse(self, text: str, reason: str, kept: float) -> None:
+    def _refuse(self, text: str | None, reason: str, kept: float) -> None:
         """Keep the number before the typing: 30 is not meant by "30 mm" either, though it was read."""
         self.refused, self.kept = text, kept
-        if text:
+        if text is not None:
             self.setValue(kept)
         if reason != self.reason:
             self.reason = reason
@@ -79,7 +80,7 @@ class TypedBox(QtWidgets.QDoubleSpinBox):
 
     def textFromValue(self, value: float) -> str:
         """Qt asks what it shows."""
-        if self.refused and value == self.kept == self.value():
+        if self.refused is not None and value == self.kept == self.value():
             return self.refused
         return self.text_of(value)
 
