@@ -127,13 +127,13 @@ class _Reader:
 
     def sum(self) -> Value:
         """Return a sum of terms, each with its sign."""
-        total = self.signed()
+        total = self.read_compound()
         while sign := self.take("+", "-"):
-            term = self.signed()
+            term = self.read_compound()
             total = _add(total, Value(-term.number, term.dims) if sign == "-" else term)
         return total
 
-    def signed(self) -> Value:
+    def read_compound(self) -> Value:
         """Return measures behind each other with one sign before all: -5' 3 in."""
         factor = -1.0 if self.take("-") else 1.0
         self.take("+")
@@ -144,7 +144,7 @@ class _Reader:
 
     def product(self) -> Value:
         """Return factors, and units behind numbers: 1/4 in is a quarter of an inch."""
-        value = self.mixed() or self.factor()
+        value = self.read_mixed() or self.factor()
         while True:
             if sign := self.take("*", "/"):
                 other = self.factor()
@@ -154,7 +154,7 @@ class _Reader:
             else:
                 return value
 
-    def mixed(self) -> Value | None:
+    def read_mixed(self) -> Value | None:
         """Return a number with a fraction, as 1 1/4; None where none stands here."""
         kinds = [kind if kind == "number" else text for kind, text in self.tokens[self.at : self.at + 4]]
         if kinds != ["number", "number", "/", "number"]:
@@ -174,7 +174,7 @@ class _Reader:
             power = self.power()
         if base.dims == NONE:
             return Value(float(base.number**power))
-        return Value(base.number**power, _multiplied(base.dims, power))
+        return Value(base.number**power, _raise_dims(base.dims, power))
 
     def power(self) -> int:
         """Return a whole number of one figure."""
@@ -235,7 +235,7 @@ def _times(one: Value, other: Value, power: int) -> Value:
     return Value(one.number * other.number**power, (x, y, z))
 
 
-def _multiplied(dims: Dims, power: int) -> Dims:
+def _raise_dims(dims: Dims, power: int) -> Dims:
     x, y, z = (power * one for one in dims)
     return x, y, z
 
@@ -247,14 +247,14 @@ def _unit(name: str, angles: bool) -> Value:
         "'": Value(1.0 / 60.0, ANGLE) if angles else Value(12.0 * INCH, LENGTH),
         '"': Value(1.0 / 3600.0, ANGLE) if angles else Value(INCH, LENGTH),
     }  # fmt: skip
-    found = marks.get('"' if name == "''" else name) or _named_unit(name)
+    found = marks.get('"' if name == "''" else name) or _find_unit(name)
     if found is None:
         raise _NotRead
     return found
 
 
 @functools.lru_cache(maxsize=256)
-def _named_unit(name: str) -> Value | None:
+def _find_unit(name: str) -> Value | None:
     """Return one of a unit that FreeCAD knows by that name, a length, an angle or a time; None for any
     other."""
     units = FreeCAD.Units

@@ -60,7 +60,7 @@ def test_the_unit_of_a_box_may_stand_behind_the_number_and_others_are_turned_int
 
 
 @pytest.mark.parametrize(("text", "point"), [("1,000", "."), ("12.500", ","), ("1.000 mm", ",")])
-def test_a_sign_that_may_be_that_of_thousands_is_asked_back(text, point):
+def test_a_sign_that_may_be_that_of_thousands_is_refused(text, point):
     with pytest.raises(SettingsError, match="two ways; type "):
         read_typed(text, "length", point=point)
 

@@ -230,7 +230,7 @@ def test_the_signs_of_what_was_written_are_proven_next(
     panel_closed()
 
 
-def test_a_text_that_cannot_be_read_is_said_and_not_written(
+def test_a_text_that_cannot_be_read_is_shown_and_not_written(
     empty, whole_screen, folder, press, field, row, type_into, click, until, panel_button, panel_closed, modal
 ):
     press("FiveAxis_EditMachine", SLID)

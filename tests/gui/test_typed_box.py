@@ -59,7 +59,7 @@ def _acceleration():
 
 
 @pytest.mark.parametrize(
-    ("kind", "text", "value", "said"),
+    ("kind", "text", "value", "label"),
     [
         ("angle", "45 deg 30'", 45.5, "45.5°"),
         ("angle", "45° 30' 36\"", 45.51, "45.51°"),
@@ -79,13 +79,13 @@ def _acceleration():
         ("speed", "8000 1/min", 8000.0, "8000 1/min"),
     ],
 )
-def test_what_is_typed_is_read_as_it_was_meant(show, type_into, pump, kind, text, value, said):
+def test_what_is_typed_is_read_as_it_was_meant(show, type_into, pump, kind, text, value, label):
     field = show(FIELDS[kind]())
     type_into(field.editor, text)
     pump(50)
     got = field.value()
     assert (got is None and value is None) or got == pytest.approx(value)
-    assert field.editor.text() == said and not field.says("error")
+    assert field.editor.text() == label and not field.says("error")
     field.check()
 
 
@@ -116,11 +116,11 @@ def test_what_is_typed_is_read_as_it_was_meant(show, type_into, pump, kind, text
 def test_what_cannot_be_read_stays_as_typed_and_the_field_keeps_its_value(show, type_into, pump, kind, text):
     field = show(FIELDS[kind]())
     field.show_value(7.0)
-    before, told = field.value(), []
-    field.edited.connect(lambda: told.append(field.value()))
+    before, heard = field.value(), []
+    field.edited.connect(lambda: heard.append(field.value()))
     type_into(field.editor, text)
     pump(50)
-    assert field.editor.text() == text and field.value() == before and told[-1] == before
+    assert field.editor.text() == text and field.value() == before and heard[-1] == before
     assert field.says("error").startswith(text) and field.error.isVisible()
     with pytest.raises(SettingsError, match="type "):
         field.check()

@@ -200,9 +200,9 @@ class CutterField(Field):
 
     def parts_of(self) -> Sequence[Field]:
         """Return the sizes that the kind has."""
-        return [self.sizes[size] for size in self._shown_sizes()]
+        return [self.sizes[size] for size in self._list_sizes()]
 
-    def _shown_sizes(self) -> tuple[str, ...]:
+    def _list_sizes(self) -> tuple[str, ...]:
         from freecad_fiveaxis.core.tool import KINDS
 
         return ("diameter", *KINDS[self.kind.value()], "length")
@@ -214,7 +214,7 @@ class CutterField(Field):
 
     def _turn(self) -> None:
         """Show the sizes that the kind has."""
-        shown = self._shown_sizes()
+        shown = self._list_sizes()
         for size, field in self.sizes.items():
             for widget in self.rows[field.name]:
                 widget.setVisible(size in shown)
