@@ -14,6 +14,7 @@ import FreeCADGui
 
 from freecad_fiveaxis.app import preferences
 
+from .messages import status
 from .qt import QtGui, QtWidgets, resource, translate
 
 GROUP = "FiveAxis"
@@ -21,8 +22,6 @@ GROUP = "FiveAxis"
 
 VALUES = {
     "QLineEdit": "text",
-    "QSpinBox": "value",
-    "Gui::PrefUnitSpinBox": "rawValue",
     "Gui::PrefFileChooser": "fileName",
     "Gui::PrefColorButton": "color",
 }
@@ -43,14 +42,16 @@ class Page:
 
     def __init__(self, _parent: Any = None) -> None:
         from .panels.fields import feed_unit
+        from .preference_boxes import PreferenceBoxes
 
         self.form = FreeCADGui.PySideUic.loadUi(resource("ui", "preferences.ui"))
+        self.boxes = PreferenceBoxes(self.form)
         self.loaded: dict[str, Any] = {}
         self.choices = {"Machine": _machines(), "Controller": _controllers(), "CutterKind": _kinds()}
         for key, choices in self.choices.items():
             self._widget(key).addItems(list(choices))
         suffix, self.feed_factor = feed_unit()
-        self._widget("Feed").setSuffix(suffix)
+        self.boxes.by_key["Feed"].hold("feed", 1.0 / self.feed_factor, suffix)
 
     def loadSettings(self) -> None:
         """Show what is kept."""
@@ -60,6 +61,8 @@ class Page:
 
     def saveSettings(self) -> None:
         """Keep what was changed; the boxes round, so a number that nobody touched stays as it was."""
+        if self.boxes.refusal():
+            status(self.boxes.refusal())
         for key, value in self._all_shown().items():
             if value != self.loaded[key]:
                 preferences.write(key, value)
@@ -78,8 +81,10 @@ class Page:
         if key in self.choices:
             labels = {kept: label for label, kept in self.choices[key].items()}
             self._widget(key).setCurrentText(labels.get(value, value))
-        elif key == "Feed":
-            self._widget(key).setValue(value * self.feed_factor)
+        elif key in self.boxes.by_key:
+            from .preference_boxes import show_in_box
+
+            show_in_box(self.boxes.by_key[key], value * self.feed_factor if key == "Feed" else value)
         else:
             packed = self._property(key) == "color"
             shown = QtGui.QColor(value >> 24 & 255, value >> 16 & 255, value >> 8 & 255) if packed else value
@@ -90,8 +95,12 @@ class Page:
         if key in self.choices:
             text = self._widget(key).currentText()
             return self.choices[key].get(text, text)
-        if key == "Feed":
-            return self._widget(key).value() / self.feed_factor
+        if key in self.boxes.by_key:
+            from .preference_boxes import read_box
+
+            number = read_box(self.boxes.by_key[key])
+            whole = isinstance(preferences.DEFAULTS[key], int)
+            return int(number) if whole else number / self.feed_factor if key == "Feed" else number
         value = self._widget(key).property(self._property(key))
         return value.rgb() << 8 & 0xFFFFFF00 | 0xFF if isinstance(value, QtGui.QColor) else value
 

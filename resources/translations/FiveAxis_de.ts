@@ -10996,8 +10996,48 @@
         <translation>{target} gibt es schon; einen anderen Namen wählen</translation>
     </message>
     <message>
+        <source>{text} can be read in two ways; type {one} or {other}</source>
+        <translation>{text} lässt sich auf zwei Arten lesen; {one} oder {other} eingeben</translation>
+    </message>
+    <message>
+        <source>{text} is no acceleration; type one, as 2000 mm/s²</source>
+        <translation>{text} ist keine Beschleunigung; eine eingeben, etwa 2000 mm/s²</translation>
+    </message>
+    <message>
+        <source>{text} is no acceleration; type one, as 500 °/s²</source>
+        <translation>{text} ist keine Beschleunigung; eine eingeben, etwa 500 °/s²</translation>
+    </message>
+    <message>
+        <source>{text} is no angle; type one, as 30 or 12° 30'</source>
+        <translation>{text} ist kein Winkel; einen eingeben, etwa 30 oder 12° 30'</translation>
+    </message>
+    <message>
+        <source>{text} is no feed; type one, as 1000 mm/min</source>
+        <translation>{text} ist kein Vorschub; einen eingeben, etwa 1000 mm/min</translation>
+    </message>
+    <message>
+        <source>{text} is no length; type one, as 30 mm or 1.5 in</source>
+        <translation>{text} ist keine Länge; eine eingeben, etwa 30 mm oder 1.5 in</translation>
+    </message>
+    <message>
+        <source>{text} is no number; type one, as 0.5 or 1/2</source>
+        <translation>{text} ist keine Zahl; eine eingeben, etwa 0.5 oder 1/2</translation>
+    </message>
+    <message>
+        <source>{text} is no rate; type one, as 3600 °/min</source>
+        <translation>{text} ist keine Drehgeschwindigkeit; eine eingeben, etwa 3600 °/min</translation>
+    </message>
+    <message>
         <source>{text} is no usable number; write a finite one</source>
         <translation>{text} ist keine brauchbare Zahl; eine endliche schreiben</translation>
+    </message>
+    <message>
+        <source>{text} is no whole number; type one, as 5</source>
+        <translation>{text} ist keine ganze Zahl; eine eingeben, etwa 5</translation>
+    </message>
+    <message>
+        <source>{text} is out of range; type {low} to {high}</source>
+        <translation>{text} liegt außerhalb des Bereichs; {low} bis {high} eingeben</translation>
     </message>
     <message>
         <source>{text} moves by {gain} times {letter}</source>

@@ -220,12 +220,39 @@ def test_the_signs_of_what_was_written_are_proven_next(
     until(lambda: field("save").isEnabled(), 20000, "a good machine")
     click(field("save"))
     until(lambda: field("prove").isEnabled(), 20000, "a machine that is written")
+    assert field("machine_file").text() == str(folder / "mine.fcm"), "where it was written"
     click(field("prove"))
     pump(SLID)
     until(lambda: field("nc_file"), 20000, "the panel that proves the signs")
     assert field("machine").currentData() == str(folder / "mine.fcm")
     assert load_machine(str(folder / "mine.fcm")).name == "mine"
     panel_button("Cancel")
+    panel_closed()
+
+
+def test_a_text_that_cannot_be_read_is_shown_and_not_written(
+    empty, whole_screen, folder, press, field, row, type_into, click, until, panel_button, panel_closed, modal
+):
+    press("FiveAxis_EditMachine", SLID)
+    type_into(field("machine_name"), "mine")
+    row("axes_table", "A")
+    type_into(field("axis_low"), "30 mm")
+    until(lambda: field("axis_low_error").text().startswith("30 mm is no angle"), 20000, "why")
+    assert field("axis_low").text() == "30 mm" and cells(field("axes_table"))[1][2] == "-120°"
+    until(lambda: field("save").isEnabled(), 20000, "the machine as it was")
+    click(field("save"))
+    until(lambda: "30 mm is no angle" in findings(field), 20000, "why it is not written")
+    assert not folder.exists()
+    type_into(field("axis_low"), "-∞")
+    until(lambda: "axis A has no end" in findings(field) or field("save").isEnabled(), 20000, "an open end")
+    assert cells(field("axes_table"))[1][2] == "none" and field("axis_low").text() == "none"
+    click(field("save"))
+    until(lambda: (folder / "mine.fcm").exists(), 20000, "the file")
+    assert field("machine_file").text() == str(folder / "mine.fcm")
+    type_into(field("axis_low"), "-90")
+    until(lambda: field("machine_file").text() == str(folder / "mine-2.fcm"), 20000, "the next file")
+    modal("Do not save")
+    panel_button("Close")
     panel_closed()
 
 

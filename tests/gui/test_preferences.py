@@ -90,6 +90,31 @@ def test_a_default_changed_by_hand_is_kept_and_the_others_are_not_touched(
     ]  # fmt: skip
 
 
+def test_what_cannot_be_read_is_shown_and_keeps_the_default(ours, in_dialog, type_into, until, pump):
+    texts = {}
+
+    def work(widgets, dialog):
+        type_into(widgets["CutterTaper"], "4 deg 30'")
+        type_into(widgets["CutterDiameter"], "45 deg 30'")
+        error = dialog.findChild(QtWidgets.QLabel, "preferences_error")
+        until(error.isVisible, 5000, "what is wrong")
+        texts["diameter"] = error.text(), widgets["CutterDiameter"].text()
+        type_into(widgets["CutterDiameter"], "8")
+        pump(50)
+        texts["then"] = error.isVisible()
+        type_into(widgets["Processes"], "1.5")
+        texts["processes"] = error.text()
+        type_into(widgets["Feed"], "1500,5")
+        press_button(dialog, QtWidgets.QDialogButtonBox.Ok)
+        pump(200)
+
+    in_dialog(work)
+    assert texts["diameter"][0].startswith("45 deg 30' is no length") and texts["diameter"][1] == "45 deg 30'"
+    assert not texts["then"] and texts["processes"].startswith("1.5 is no whole number")
+    assert preferences.read("CutterTaper") == 4.5 and preferences.read("CutterDiameter") == 8.0
+    assert preferences.feed() == pytest.approx(1500.5) and not preferences.read("Processes")
+
+
 def test_ok_without_a_change_keeps_numbers_that_the_boxes_show_rounded(ours, in_dialog):
     in_dialog(lambda widgets, dialog: press_button(dialog, QtWidgets.QDialogButtonBox.Ok))
     assert not ours.GetContents()

@@ -9,12 +9,11 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import translate
 
 from .fields import ChoiceField
-from .files import FileField
+from .files import FileField, nc_files
 from .fixtures import FixturesField
 from .form import Form, Section, group_sections
 from .path_panel import PathPanel, fit_soon, show
 from .picking import PointField
-from .post import nc_files
 
 
 class AuditPanel(PathPanel):

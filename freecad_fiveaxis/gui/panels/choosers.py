@@ -82,6 +82,7 @@ class SpacingField(Field):
         row.addWidget(self.kind.editor)
         for field in self.lengths.values():
             row.addWidget(field.editor, 1)
+            field.nest()
             field.edited.connect(self._on_change)
         self.kind.edited.connect(self._turn)
         self._turn()
@@ -90,6 +91,10 @@ class SpacingField(Field):
         for kind, field in self.lengths.items():
             field.editor.setVisible(kind == self.kind.value())
         self._on_change()
+
+    def parts_of(self) -> Sequence[Field]:
+        """Return the one that counts."""
+        return (self.lengths[self.kind.value()],)
 
     def value(self) -> dict[str, float | None]:
         """Return the one that counts, mm, by its name."""
@@ -189,8 +194,18 @@ class CutterField(Field):
             chooser.chosen.connect(self._from_list)
         self.kind.edited.connect(self._turn)
         for part in self.sizes.values():
+            part.nest()
             part.edited.connect(self._on_change)
         self._turn()
+
+    def parts_of(self) -> Sequence[Field]:
+        """Return the sizes that the kind has."""
+        return [self.sizes[size] for size in self._list_sizes()]
+
+    def _list_sizes(self) -> tuple[str, ...]:
+        from freecad_fiveaxis.core.tool import KINDS
+
+        return ("diameter", *KINDS[self.kind.value()], "length")
 
     def _lay_out(self) -> None:
         self.rows = {part.name: self.editor.add(part) for part in (self.kind, *self.sizes.values())}
@@ -199,12 +214,10 @@ class CutterField(Field):
 
     def _turn(self) -> None:
         """Show the sizes that the kind has."""
-        from freecad_fiveaxis.core.tool import KINDS
-
-        has = ("diameter", *KINDS[self.kind.value()], "length")
+        shown = self._list_sizes()
         for size, field in self.sizes.items():
             for widget in self.rows[field.name]:
-                widget.setVisible(size in has)
+                widget.setVisible(size in shown)
         self._on_change()
 
     def _from_list(self, tool: Any) -> None:

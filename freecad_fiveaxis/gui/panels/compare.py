@@ -41,12 +41,14 @@ class ComparePanel:
         self.browse = QtWidgets.QPushButton(translate("FiveAxis", "Another machine file (.fcm)…"))
         self.length = QuantityField("tool_length", "length", _length_hint(), optional=True)
         self.length.show_value(path.ToolLength.Value)
+        self.length.nest()
         self.fixtures = FixturesField(path.Document, find_milled_solid(path.Mesh), _fixtures_hint())
         self.fixtures.show_value(path.Fixtures)
         self.error = error_line("compare_error")
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Compare"))
         self.calculate_button.setObjectName("calculate")
         self.form = self._widget()
+        self.length.edited.connect(lambda: self.show_error(wording.localize(self.length.refusal())))
         self.browse.clicked.connect(self._browse)
         self.calculate_button.clicked.connect(lambda *_: self.calculate())
 
@@ -100,6 +102,9 @@ class ComparePanel:
         machines, cures = find_ticked(self.machines), find_ticked(self.cures)
         if not machines or not cures:
             self.show_error(translate("FiveAxis", "Tick at least one machine and one correction."))
+            return False
+        if self.length.refusal():
+            self.show_error(wording.localize(self.length.refusal()))
             return False
         if self.length.value() is None and any(map(has_head, machines)):
             self.show_error(

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.decimal_sign import write_number
 from freecad_fiveaxis.app.labels import option_label
 from freecad_fiveaxis.app.units import INCH, inches
@@ -21,6 +22,7 @@ from freecad_fiveaxis.gui.wheel import leave_wheel
 
 from .lines import error_line, note_line, warning_line
 from .measure_box import MeasureBox
+from .typed_box import MOST, TypedBox
 
 UNITS = {"length": "mm", "angle": "deg"}
 """The core's unit of a kind of option."""
@@ -58,6 +60,9 @@ class Field(QtCore.QObject):
         editor.setToolTip(hint)
         editor.setMinimumWidth(NARROW)
         leave_wheel(editor)
+        if hasattr(editor, "refusal_changed"):
+            editor.refusal_changed.connect(self._on_change)
+        self.nested, self.refusing = False, False
         self.lines: dict[str, Any] = {}
         self.place_line: Callable[[str, Any], Any] = lambda kind, line: None
 
@@ -125,9 +130,26 @@ class Field(QtCore.QObject):
     def want(self) -> None:
         """Call what the user has not given yet missing from now on: he has asked for the result."""
 
+    def parts_of(self) -> Sequence[Field]:
+        """Return the fields that this one is made of and that count as it stands."""
+        return ()
+
+    def nest(self) -> None:
+        """Say nothing of what is typed here: the field around it does."""
+        self.nested = True
+
+    def refusal(self) -> str:
+        """Return why what was typed cannot be read; nothing where it can."""
+        own: str = getattr(self.editor, "reason", "")
+        return own or next((reason for part in self.parts_of() if (reason := part.refusal())), "")
+
     def check(self) -> None:
         """Raise FiveAxisError for a value that cannot be used, where the core's settings do not know of
         it."""
+        from freecad_fiveaxis.core.base.errors import SettingsError
+
+        if self.refusal():
+            raise SettingsError(self.refusal())
 
     def value(self) -> Any:
         """Return the option's value as job files write it; None: not given."""
@@ -138,7 +160,16 @@ class Field(QtCore.QObject):
         raise NotImplementedError
 
     def _on_change(self, *_: Any) -> None:
+        self._tell_refusal()
         self.edited.emit()
+
+    def _tell_refusal(self) -> None:
+        """Say why what was typed cannot be read, and take that away again; forms say their errors
+        themselves."""
+        reason = "" if self.nested else self.refusal()
+        if reason or self.refusing:
+            self.show_error(wording.localize(reason))
+        self.refusing = bool(reason)
 
 
 FOUND = ("max_axis_angle",)
@@ -195,12 +226,11 @@ class FeedField(Field):
     """A feed, typed a minute as machinists do: mm/min, or in/min where the user works in inches."""
 
     def __init__(self, name: str, hint: str = "") -> None:
-        super().__init__(name, QtWidgets.QDoubleSpinBox(), hint)
         suffix, per_second = feed_unit()
+        places = 4 if per_second < 60.0 else 2
+        super().__init__(name, TypedBox("feed", (places, places), 0.0), hint)
         self._given, self._shown, self.factor = 0.0, 0.0, 60.0 / per_second
-        self.editor.setDecimals(4 if per_second < 60.0 else 2)
-        self.editor.setRange(0.0, 1e7)  # the core knows the range, and says it
-        self.editor.setSuffix(suffix)
+        self.editor.hold("feed", self.factor / 60.0, suffix)
         self.editor.valueChanged.connect(self._on_change)
 
     def value(self) -> float:
@@ -211,16 +241,16 @@ class FeedField(Field):
     def show_value(self, value: float | None) -> None:
         """mm/min."""
         self._given = float(value or 0.0)
-        self.editor.setValue(self._given / self.factor)
+        self.editor.show_number(self._given / self.factor)
         self._shown = self.editor.value()
 
     def room(self) -> int:
         """Seven digits with their unit."""
-        return width_of(self.editor, "00000.00" + self.editor.suffix()) + ARROW
+        return width_of(self.editor, "00000.00" + self.editor.tail) + ARROW
 
     def words(self) -> str:
         """As in a program, with its unit: ``F 1000 mm/min``."""
-        return f"F {write_number(f'{self.editor.value():g}')}{self.editor.suffix()}"
+        return f"F {write_number(f'{self.editor.value():g}')}{self.editor.tail}"
 
 
 def feed_unit() -> tuple[str, float]:
@@ -283,24 +313,26 @@ class NumberField(Field):
     """A plain number. ``whole``: a count; ``optional``: 0 means not given."""
 
     def __init__(self, name: str, hint: str = "", whole: bool = False, optional: bool = False) -> None:
-        editor = QtWidgets.QSpinBox() if whole else QtWidgets.QDoubleSpinBox()
+        kind, places = ("whole", (0, 0)) if whole else ("number", (2, 6))
+        editor = TypedBox(kind, places, 0.0 if optional else -MOST)
         super().__init__(name, editor, hint)
         self.optional, self.whole = optional, whole
-        editor.setRange(0 if optional else -10_000_000, 10_000_000)  # the core knows the range, and says it
-        editor.setSpecialValueText(translate("FiveAxis", "not given") if optional else "")
+        editor.unset = translate("FiveAxis", "not given") if optional else ""
+        editor.show_number(0.0)
         editor.valueChanged.connect(self._on_change)
 
     def value(self) -> float | None:
         """Return the number."""
-        return None if self.optional and self.editor.value() == 0 else self.editor.value()
+        number = int(self.editor.value()) if self.whole else float(self.editor.value())
+        return None if self.optional and number == 0 else number
 
     def show_value(self, value: float | None) -> None:
         """Show the number, or None."""
-        self.editor.setValue(int(value or 0) if self.whole else float(value or 0.0))
+        self.editor.show_number(float(int(value or 0)) if self.whole else float(value or 0.0))
 
     def room(self) -> int:
         """Six digits, or what says that there are none."""
-        return width_of(self.editor, self.editor.specialValueText() or "000000") + ARROW
+        return width_of(self.editor, self.editor.unset or "000000") + ARROW
 
 
 class SpindleField(NumberField):
@@ -310,7 +342,7 @@ class SpindleField(NumberField):
         super().__init__(name, hint, whole=True, optional=True)
         self._given = 0.0
         self.editor.setSingleStep(500)
-        self.editor.setSuffix(translate("FiveAxis", " 1/min"))
+        self.editor.hold("whole", 1.0, translate("FiveAxis", " 1/min"))
         self.edited.connect(self._warn)
         self._warn()
 
@@ -327,7 +359,7 @@ class SpindleField(NumberField):
 
     def room(self) -> int:
         """Five digits with their unit."""
-        return width_of(self.editor, "00000" + self.editor.suffix()) + ARROW
+        return width_of(self.editor, "00000" + self.editor.tail) + ARROW
 
     def words(self) -> str:
         """As in a program: ``S 8000``."""

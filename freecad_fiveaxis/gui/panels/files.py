@@ -53,7 +53,8 @@ class SaveField(FileField):
     """A file to write. ``endings``: those that its name may have, none: any; ``new``: it must not be there
     yet.
 
-    ``propose`` shows a name until the user gives one.
+    ``propose`` shows a name until the user gives one; a name without a folder belongs to the ``folder`` of
+    what is proposed.
     """
 
     def __init__(
@@ -62,17 +63,31 @@ class SaveField(FileField):
         new: bool = False,
     ) -> None:  # fmt: skip
         super().__init__(name, title, kinds, hint, missing)
-        self.endings, self.new, self._proposed = endings, new, ""
+        self.endings, self.new, self._proposed, self.folder = endings, new, "", ""
+        self.editor.editingFinished.connect(self._show_whole)
+
+    def _show_whole(self) -> None:
+        """Show where a name that was typed without its folder goes."""
+        if self.value() != super().value():
+            self.show_value(self.value())
+
+    def show_written(self, path: str) -> None:
+        """Show where the file was written; the next proposal takes its place."""
+        self._proposed = path
+        self.show_value(path)
+        self.show_error("")
 
     def propose(self, path: str) -> None:
         """Show this name, unless the user has named another file."""
+        self.folder = os.path.dirname(path)
         if self.value() == self._proposed:
             self._proposed = path
             self.show_value(path)
 
     def value(self) -> str:
         """Return the whole name; empty where there is none."""
-        return os.path.abspath(os.path.expanduser(super().value())) if super().value() else ""
+        typed = os.path.expanduser(super().value())
+        return os.path.abspath(os.path.join(self.folder, typed)) if typed else ""
 
     def check(self) -> None:
         """Raise FileError for a file that is not named, has no known ending, or is there although it may
@@ -115,6 +130,14 @@ def cl_files() -> str:
     )
 
 
+def nc_files() -> str:
+    """Return the kinds of NC files, as Qt filters them."""
+    kinds = translate(
+        "FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)"
+    )
+    return ";;".join([kinds, translate("FiveAxis", "All files (*)")])
+
+
 def machine_files() -> str:
     """Machine files, as Qt filters them."""
     return translate("FiveAxis", "Machine files (*.fcm)")
@@ -127,9 +150,13 @@ def any_file(leaf: Any) -> FileField:
 
 def new_machine() -> SaveField:
     """Return the field of a machine file to write, which is never one that is there."""
-    return SaveField(
+    from freecad_fiveaxis.app import machines
+
+    field = SaveField(
         "machine_file", translate("FiveAxis", "The machine file to write"), machine_files(),
         translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then "
                               "on."),
         translate("FiveAxis", "Name the machine file."), (".fcm",), new=True,
     )  # fmt: skip
+    field.folder = str(machines.user_folder())
+    return field

@@ -24,7 +24,7 @@ from freecad_fiveaxis.gui.verdict_label import VerdictLabel
 from freecad_fiveaxis.gui.waiting import waiting
 
 from . import written
-from .fields import TextField
+from .files import SaveField, nc_files
 from .lines import error_line, note_line
 from .option_fields import option_field
 from .panel_widget import MARGIN
@@ -41,7 +41,8 @@ class PostPanel:
 
     def __init__(self, path: Any) -> None:
         self.path = path
-        self.file = TextField("nc_path", translate("FiveAxis", "The NC file to write"))
+        title = translate("FiveAxis", "The NC file to write")
+        self.file = SaveField("nc_path", title, nc_files(), title, translate("FiveAxis", "Name the NC file."))
         self.error = error_line("post_error")
         self.reports = {kind: QtWidgets.QCheckBox(text) for kind, text in _report_texts().items()}
         self.preview = QtWidgets.QCheckBox(translate("FiveAxis", "Preview for CAM"))
@@ -51,7 +52,7 @@ class PostPanel:
         self.spindle = None if path.Spindle else option_field(_spindle_leaf())
         self.form = self._widget()
         self._show_poor()
-        self.file.show_value(propose_name(path))
+        self.file.propose(propose_name(path))
         self._say_old()
 
     def _say_old(self) -> None:
@@ -64,12 +65,9 @@ class PostPanel:
         widget = QtWidgets.QWidget()
         widget.setObjectName("FiveAxisPanel")
         widget.setWindowTitle(translate("FiveAxis", "Post-process {}").format(self.path.Label))
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        browse.clicked.connect(self._browse)
         row = QtWidgets.QHBoxLayout()
         row.addWidget(self.file.editor)
-        row.addWidget(browse)
+        row.addWidget(self.file.browse)
         column = QtWidgets.QVBoxLayout(widget)
         column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         column.addWidget(QtWidgets.QLabel(translate("FiveAxis", "NC file")))
@@ -110,15 +108,6 @@ class PostPanel:
         last = self.path.Proxy.last
         self.poor.setText("" if last is None else findings(_poor(last.figures)))
 
-    def _browse(self, *_: Any) -> None:
-        title = translate("FiveAxis", "The NC file to write")
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self.form, title, self.file.value(), nc_files(), "",
-            QtWidgets.QFileDialog.DontConfirmOverwrite,
-        )  # fmt: skip
-        if path:
-            self.file.show_value(path)
-
     def getStandardButtons(self) -> int:
         """FreeCAD asks which buttons the panel has."""
         return flags(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
@@ -148,6 +137,8 @@ class PostPanel:
         from freecad_fiveaxis.core.pipeline import outputs
         from freecad_fiveaxis.core.report import summary
 
+        if self.spindle is not None:
+            self.spindle.check()
         nc, reports = self._nc_path(), self._report_paths()
         for path in (nc, *reports.values()):
             check_writable(path)
@@ -236,8 +227,8 @@ class PostPanel:
         from freecad_fiveaxis.core.base.errors import FileError
 
         if not self.file.value():
-            raise FileError(translate("FiveAxis", "Name the NC file."), "")
-        return os.path.abspath(os.path.expanduser(self.file.value()))
+            raise FileError(self.file.missing, "")
+        return self.file.value()
 
     def _report_paths(self) -> dict[str, str]:
         """Return the name of each report that is wished: that of the NC file with another ending."""
@@ -319,14 +310,6 @@ def propose_file(name: str, document: str, suffix: str) -> str:
 
     folder = preferences.output_folder() or os.path.dirname(document) or os.path.expanduser("~")
     return os.path.join(str(folder), plain_name(name, "program") + suffix)
-
-
-def nc_files() -> str:
-    """Return the kinds of NC files, as Qt filters them."""
-    kinds = translate(
-        "FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)"
-    )
-    return ";;".join([kinds, translate("FiveAxis", "All files (*)")])
 
 
 def _report_texts() -> dict[str, str]:

@@ -20,10 +20,10 @@ from freecad_fiveaxis.gui import selected
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, translate
 
 from . import result_html
-from .files import SaveField, all_files
+from .files import SaveField, all_files, nc_files
 from .form import Form, group_sections
 from .picking import Point, PointField
-from .post import nc_files, propose_file
+from .post import propose_file
 from .work_panel import WorkPanel, open_panel
 
 USUAL_MARK = (30.0, 20.0, 0.0)

@@ -10,9 +10,8 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from . import result_html
-from .files import FileField, cl_files, new_machine
+from .files import FileField, cl_files, nc_files, new_machine
 from .form import Form
-from .post import nc_files
 from .setup import ask_file, write_asking
 from .work_panel import WorkPanel, open_panel
 

@@ -45,6 +45,7 @@ class TripleField(Field):
         self.parts = [makers.get(kind, RatioField)(part) for part in parts]
         for part, letter in zip(self.parts, "XYZ", strict=True):
             part.editor.setAccessibleName(f"{self.label} {letter}")
+            part.nest()
         self.none = QtWidgets.QCheckBox(none_text) if none_text else None
         self.width = width
         self._lay_out()
@@ -76,6 +77,10 @@ class TripleField(Field):
     def _needs(self, part: Any) -> int:
         """Pixels of one box."""
         return max(self.width, width_of(part.editor, str(part.editor.property("text"))) + ARROW)
+
+    def parts_of(self) -> Sequence[Field]:
+        """Return the three, where they are shown."""
+        return () if self.none and self.none.isChecked() else self.parts
 
     def focus_widget(self) -> Any:
         """Return the first box."""
@@ -118,5 +123,6 @@ class RatioField(NumberField):
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
-        self.editor.setDecimals(6)
+        self.editor.places = (6, 6)
+        self.editor.setSuffix("")
         self.editor.setSingleStep(0.1)

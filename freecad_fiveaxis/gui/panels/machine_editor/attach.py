@@ -76,6 +76,8 @@ class AttachFields(QtCore.QObject):
             if not chosen:
                 self.refused.emit(self._what_to_select())
                 return
+            for field in self.fields.values():
+                field.check()
             zero, deviation = (self.fields[name].value() for name in ("machine_zero", "attach_deviation"))
             self.found.emit(attaching.surfaces(chosen, zero, deviation))
         except Cancelled:

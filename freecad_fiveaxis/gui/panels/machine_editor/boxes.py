@@ -17,15 +17,19 @@ from freecad_fiveaxis.gui.qt import translate
 TURNS_A_MINUTE = " °/min"
 
 
+OPEN = ("∞", "inf", "infinity")
+"""What is typed for a limit that there is not."""
+
+
 class OpenBox(MeasureBox):
     """A measure, or a ``word`` for none: beyond UNLIMITED mm or degrees, on the side of ``sign``, as machine
-    files write it."""
+    files write it. ``endless``: none is an infinity, and may be typed as one."""
 
-    word, sign = "", 1.0  # Qt asks what it shows before they are given
+    word, sign, endless = "", 1.0, False  # Qt asks what it shows before they are given
 
-    def __init__(self, kind: str, word: str, sign: float) -> None:
+    def __init__(self, kind: str, word: str, sign: float, endless: bool) -> None:
         super().__init__(kind)
-        self.word, self.sign = word, sign
+        self.word, self.sign, self.endless = word, sign, endless
 
     def is_open(self) -> bool:
         """Whether there is none."""
@@ -33,19 +37,25 @@ class OpenBox(MeasureBox):
 
     def show_open(self) -> None:
         """Show that there is none."""
-        self.setValue(self.sign * UNLIMITED / self.factor)
+        self.show_number(self.sign * UNLIMITED / self.factor)
 
-    def textFromValue(self, value: float) -> str:
-        """Qt asks what it shows."""
-        return self.word if self._is_open(value) else super().textFromValue(value)
+    def text_of(self, value: float) -> str:
+        """Return what the box says of a number."""
+        return self.word if self._is_open(value) else super().text_of(value)
 
     def _is_open(self, value: float) -> bool:
         return abs(value * self.factor) >= UNLIMITED * (1.0 - 1e-9)
 
-    def _read(self, text: str) -> float | None:
-        if text.strip() in ("", self.word):
+    def read(self, text: str) -> float:
+        """Return the number that is typed. Raises SettingsError for any other text."""
+        if text.strip() in ("", self.word) or (self.endless and self._is_infinity(text.strip().lower())):
             return self.sign * UNLIMITED / self.factor
-        return super()._read(text)
+        return super().read(text)
+
+    def _is_infinity(self, text: str) -> bool:
+        """Whether a text is the infinity of this side; without a sign it is."""
+        sign = "-" if self.sign < 0.0 else "+"
+        return text.replace("−", "-").removeprefix(sign).strip() in OPEN
 
 
 class OpenField(Field):
@@ -54,9 +64,8 @@ class OpenField(Field):
 
     def __init__(self, name: str, word: str, opened: float | None, hint: str) -> None:
         self.opened = opened
-        super().__init__(
-            name, OpenBox("length", word, math.copysign(1.0, -1.0 if opened is None else opened)), hint
-        )
+        sign = math.copysign(1.0, -1.0 if opened is None else opened)
+        super().__init__(name, OpenBox("length", word, sign, opened is not None), hint)
         self._given, self._shown = 0.0, 0.0
         self.editor.valueChanged.connect(self._on_change)
 
@@ -91,7 +100,8 @@ class RateField(FeedField):
 
     def __init__(self, name: str, hint: str) -> None:
         super().__init__(name, hint)
-        self.editor.setSpecialValueText(translate("FiveAxis", "not given"))
+        self.editor.unset = translate("FiveAxis", "not given")
+        self.show_value(None)
 
     def value(self) -> float | None:  # type: ignore[override]
         """mm/min or degrees/min."""
@@ -101,7 +111,7 @@ class RateField(FeedField):
         """Show a rate of that kind of axis."""
         suffix, per_second = (TURNS_A_MINUTE, 60.0) if rotary else feed_unit()
         self.factor = 60.0 / per_second
-        self.editor.setSuffix(suffix)
+        self.editor.hold("turns" if rotary else "feed", self.factor / 60.0, suffix)
         self.show_value(rate)
 
 
@@ -113,7 +123,8 @@ class AccelerationField(RateField):
         """Show an acceleration of that kind of axis."""
         inch = inches() and not rotary
         self.factor = INCH if inch else 1.0
-        self.editor.setSuffix(" °/s²" if rotary else " in/s²" if inch else " mm/s²")
+        tail = " °/s²" if rotary else " in/s²" if inch else " mm/s²"
+        self.editor.hold("turning" if rotary else "acceleration", self.factor, tail)
         self.show_value(acceleration)
 
 

@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.editing import AttachedMeshes, MachineDraft
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.panels.choosers import MachineField
+from freecad_fiveaxis.gui.panels.fields import Field
 from freecad_fiveaxis.gui.panels.files import new_machine
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
 from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget, TextArea
@@ -149,7 +150,7 @@ class EditorPanel:
     def _edit(self, draft: MachineDraft) -> None:
         if self.filling or draft == self.draft:
             return
-        renamed = draft.name != self.draft.name
+        renamed = draft.name != self.draft.name or self.target.value() == self.written
         self.draft = draft
         self.general.draft = self.axes.draft = draft
         self.bodies.follow(draft)
@@ -228,6 +229,8 @@ class EditorPanel:
 
     def _check_target(self) -> bool:
         self.target.show_error("")
+        if self.filling:
+            return True
         try:
             self.target.check()
         except FiveAxisError as error:
@@ -241,7 +244,10 @@ class EditorPanel:
         """Write the machine as a new file; whether that went well."""
         self.judge()
         self.target.want()
-        if self.machine is None or not self._check_target():
+        refused = next((reason for field in self._fields() if (reason := field.refusal())), "")
+        if refused:
+            self._tell(wording.localize(refused))
+        if refused or self.machine is None or not self._check_target():
             return False
         try:
             self.written = editing.write(self.draft, self.target.value(), self.attached)
@@ -253,17 +259,20 @@ class EditorPanel:
         self._keep_written()
         return True
 
+    def _fields(self) -> list[Field]:
+        return [field for part in (self.general, self.axes, self.bodies) for field in part.fields.values()]
+
     def _keep_written(self) -> None:
-        """Keep in mind that the file is there now; the next one gets another name."""
+        """Keep in mind that the file is there now; the next one gets another name, once something is
+        changed."""
         self.filling = True
         self.draft = self.kept = editing.open_draft(self.written)
         self.opened = self.written
         self.start.show_value(self.written)
         self.general.draft = self.axes.draft = self.draft
         self.bodies.show_draft(self.draft)  # what was attached has a file now
-        self.target.show_value("")
+        self.target.show_written(self.written)
         self.filling = False
-        self.target.propose(machines.free_file(self.draft.name))
         self.names -= {self.draft.name}
         self.judge()
 
