@@ -11252,6 +11252,10 @@
         <translation>{where} lädt {loaded}, aber [KINS] KINEMATICS ist {named}; bringen Sie beide in Einklang</translation>
     </message>
     <message>
+        <source>{where}: WRAPPED_ROTARY takes {letter}-30 for 30 deg reached backwards; programs written here mean -30 deg. Set it to 0, there and on the machine.</source>
+        <translation>{where}: WRAPPED_ROTARY nimmt {letter}-30 als 30 Grad, rückwärts erreicht; Programme von hier meinen -30 Grad. Dort und an der Maschine auf 0 setzen.</translation>
+    </message>
+    <message>
         <source>{where}: [TRAJ] {key} is {text}; known are {known}</source>
         <translation>{where}: [TRAJ] {key} ist {text}; bekannt sind {known}</translation>
     </message>

@@ -195,6 +195,14 @@ def test_a_rotary_axis_without_either_limit_turns_without_end_and_that_is_stated
         )
 
 
+def test_an_axis_that_takes_signs_for_directions_is_refused(write) -> None:
+    """LinuxCNC's unwrap_rotary: C-30 of a wrapped axis is 30 deg, reached backwards."""
+    with pytest.raises(MachineError, match=r"ini line \d+: WRAPPED_ROTARY takes C-30"):
+        import_machine(str(write(swap={"[AXIS_C]\n": "[AXIS_C]\nWRAPPED_ROTARY = 1\n"})))
+    found = import_machine(str(write(swap={"[AXIS_C]\n": "[AXIS_C]\nWRAPPED_ROTARY = 0\n"})))
+    assert found.machine.axes == import_machine(str(write())).machine.axes
+
+
 def test_the_lower_acceleration_counts_and_none_need_be_given(write, tmp_path) -> None:
     """[JOINT_0] 400 and [AXIS_X] 250 mm/s^2 for X, [JOINT_4] 90 deg/s^2 for C alone, nothing for Y."""
     swap = {

@@ -74,6 +74,7 @@ def _configuration(path: Path) -> tuple[Configuration, tuple[Finding, ...]]:
     pins = pin_values(hal, kind, length)
     given = Given(kind.prefix or kind.name, _present(ini, order), pins.values, line.where, pins.follows_tool)
     turns = tuple(_lift_turn(turn, pins) for turn in kind.turns(given))
+    _refuse_wrapped(ini, turns)
     axes = tuple(_axis(ini, axis, order.index(axis.letter), length, angle) for axis in _work_to_tool(turns))
     findings = (
         *pins.findings,
@@ -221,6 +222,21 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
         raise MachineError(
             say("{path}: [JOINT_{joint}], {error}", path=ini.path, joint=joint, error=error), error.value
         ) from error
+
+
+def _refuse_wrapped(ini: IniFile, turns: tuple[Turn, ...]) -> None:
+    """Raise MachineError for an axis that takes its words modulo 360 deg and their sign for the direction, so
+    that C-30 is 30 deg reached backwards: ours mean -30 deg (LinuxCNC, interp_convert.cc: unwrap_rotary)."""
+    for turn in turns:
+        value = ini.get(f"AXIS_{turn.letter}", "WRAPPED_ROTARY")
+        if value is not None and number(value, f"WRAPPED_ROTARY of {turn.letter}") != 0.0:
+            text = say(
+                "{where}: WRAPPED_ROTARY takes {letter}-30 for 30 deg reached backwards; programs written here "
+                "mean -30 deg. Set it to 0, there and on the machine.",
+                where=value.where,
+                letter=turn.letter,
+            )
+            raise MachineError(text, value.text)
 
 
 def _is_endless(ini: IniFile, axis: Turn, joint: int) -> bool:
