@@ -231,8 +231,8 @@ def _refuse_wrapped(ini: IniFile, turns: tuple[Turn, ...]) -> None:
         value = ini.get(f"AXIS_{turn.letter}", "WRAPPED_ROTARY")
         if value is not None and number(value, f"WRAPPED_ROTARY of {turn.letter}") != 0.0:
             text = say(
-                "{where}: WRAPPED_ROTARY takes {letter}-30 for 30 deg reached backwards; programs written here "
-                "mean -30 deg. Set it to 0, there and on the machine.",
+                "{where}: WRAPPED_ROTARY takes {letter}-30 for 30 deg reached backwards; programs written "
+                "here mean -30 deg. Set it to 0, there and on the machine.",
                 where=value.where,
                 letter=turn.letter,
             )
