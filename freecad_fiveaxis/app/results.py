@@ -267,6 +267,7 @@ def renew(obj: Any) -> None:
     FiveAxisError, Cancelled."""
     if renew_base(obj):
         result_of(obj)
+        obj.touch()  # FreeCAD leaves one alone whose mesh was computed in a call before
         obj.Document.recompute([obj])
 
 

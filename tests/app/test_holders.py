@@ -81,6 +81,7 @@ def test_what_is_posted_is_of_the_part_as_it_stands(doc, ball, holder, tmp_path)
     move(holder, 10)
     app.post_process(path, tmp_path / "held.ngc")
     assert (tmp_path / "held.ngc").read_bytes() == moved
+    assert results.out_of_date(path) == "", "what is shown is of that place, too"
 
 
 def test_machines_are_not_compared_on_a_part_that_has_moved_since(held, holder, ball):

@@ -134,3 +134,19 @@ def test_the_post_panel_says_that_the_part_was_moved_and_writes_where_it_stands(
     written = (tmp_path / "moved.ngc").read_bytes()
     assert results.out_of_date(path) == "" and written == results.nc_of(path)
     assert path.Mesh.Mesh.BoundBox.XMax == pytest.approx(30, abs=0.3)
+
+
+def test_a_part_moved_by_what_holds_it_is_drawn_where_it_was_written(
+    path, dome, holder, doc, tmp_path, until, modal, panel_button, panel_closed
+):
+    holder.addObject(dome)
+    doc.recompute()
+    holder.Placement.Base = FreeCAD.Vector(10, 0, 0)
+    panel = post.write(path)
+    assert "Dome was moved" in panel.error.text()
+    panel.file.show_value(str(tmp_path / "moved.ngc"))
+    modal("Write anyway")
+    panel_button("OK")
+    panel_closed()
+    assert results.out_of_date(path) == "" and path.Mesh.Mesh.BoundBox.XMax == pytest.approx(30, abs=0.3)
+    until(lambda: warning(path) == "", 10000, "the legend says nothing")
