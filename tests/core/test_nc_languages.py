@@ -172,8 +172,8 @@ def test_vectors_stay_until_the_next_and_an_omitted_component_is_zero():
         ("HOLES2(0,0,10,0,60,6)", "cycle-not-interpreted", "HOLES2"), ("POCKET3(5,0,1,-9,9,9,1)", "cycle-not-interpreted", "POCKET3"), ("MCALL L10", "call-not-interpreted", "MCALL"),
         ("CYCLE81", "cycle-not-interpreted", "CYCLE81"), ("CYCLE802(111,1,9,9)", "cycle-not-interpreted", "CYCLE802"), ("G58 X5", "offset-not-interpreted", "G58"),
         ("SCALE X2", "offset-not-interpreted", "SCALE"), ("R1=R7", "macro-not-interpreted", "R7"), ("IF R1>5 GOTOF ENDE", "macro-not-interpreted", "ENDE"),
-        ("CIP X1 Y1 I1=2 J1=3", "arc-not-interpreted", "CIP"), ("BSPLINE", "spline-not-interpreted", "BSPLINE"), ("WHATEVER(3)", "call-not-interpreted", "WHATEVER"),
-        ("G1 AP=90 RP=50", "polar-not-interpreted", "AP"), ("G1 X2 RP=IC(5)", "polar-not-interpreted", "RP"), ("AP=R1+5", "polar-not-interpreted", "AP"),
+        ("CIP X1 Y1 Z9 I1=2 J1=3", "arc-not-interpreted", "CIP"), ("BSPLINE", "spline-not-interpreted", "BSPLINE"), ("WHATEVER(3)", "call-not-interpreted", "WHATEVER"),
+        ("G1 AP=90", "polar-not-interpreted", "AP"), ("G1 X2 RP=IC(5)", "polar-not-interpreted", "RP"), ("AP=R1+5", "polar-not-interpreted", "AP"),
         ("DIAMON", "offset-not-interpreted", "DIAMON"), ("G1 A2=5 B2=7", "orientation-not-interpreted", "A2"), ("SUPA G0 Z500", "", ""), ("G1 A=ACN(5)", "rotary-direction", "A=ACN()"),
     ],
 )  # fmt: skip
