@@ -213,7 +213,7 @@ def test_a_rotary_ac_among_steps_is_absolute():
         ("5 CYCL DEF 251 POCKET ~\n Q200=+2 ;SET-UP ~\n Q201=-20 ;DEPTH", "cycle-not-interpreted", "CYCL DEF 251"), ("5 CYCL CALL", "cycle-not-interpreted", "CYCL CALL"),
         ("5 CALL LBL 1 REP 3", "macro-not-interpreted", "LBL 1 stands in no line"), ("5 PLANE SPATIAL SPA+10 SPB+0 SPC+0", "offset-not-interpreted", "PLANE SPATIAL"),
         ("5 CYCL DEF 7.1 #10", "offset-not-interpreted", "CYCL DEF 7.1"), ("5 TRANS DATUM TABLE TABLINE3", "offset-not-interpreted", "TRANS DATUM TABLE"), ("5 CYCL DEF 7.1 C+10", "offset-not-interpreted", "CYCL DEF 7"), ("5 Q1 = +Q5", "macro-not-interpreted", "Q5 was never set"), ("5 FN 18: SYSREAD Q1 = ID10", "macro-not-interpreted", "FN18:"),
-        ("5 L X+Q1 F100", "macro-not-interpreted", "Q1 was never set"), ("5 RND R5", "arc-not-interpreted", "RND R5"), ("5 FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS", "orientation", "FUNCTION TCPM"),
+        ("5 L X+Q1 F100", "macro-not-interpreted", "Q1 was never set"), ("5 CT X+3 Y+0", "arc-not-interpreted", "CT X+3"), ("5 FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS", "orientation", "FUNCTION TCPM"),
         ("5 L X+3 RL F100", "compensation-not-interpreted", "RL"), ("5 L X+3 FQ11", "feed-by-parameter", "FQ11"), ("5 L Z+500 R0 FMAX M91", "machine-position", "M91"),
         ("5 L X+3 M99", "cycle-not-interpreted", "M99"), ("5 WHATEVER 3", "unknown-code", "WHATEVER 3"),
     ],

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.sentences import Template, say
 
 from . import codes, din_iso, heidenhain, heidenhain_run, interpreter, siemens, siemens_polar, siemens_run
 from .feed_groups import FeedGroup
+from .heidenhain_corners import mark_corners
 from .heidenhain_polar import without_polar
 from .noted import Notes
 from .of_machine import NO_MACHINE, OfMachine
@@ -94,7 +95,8 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
         else:
             cause = not_run(run)
             refused = [cause]
-    text = din_iso.with_own_words(without_polar(heidenhain.join_lines(text)), notes)
+    text = mark_corners(without_polar(heidenhain.join_lines(text)))
+    text = din_iso.with_own_words(text, notes)
     return replace(_with_findings(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 
