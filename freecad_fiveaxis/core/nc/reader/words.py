@@ -217,7 +217,7 @@ def _blank_non_words(
         )
     text = _blank_comments(text, language)
     whole = without_preface(text.translate(CLEAN), language, findings)
-    text = between_marks(whole, findings)
+    text = between_marks(whole, findings, language)
     if language == "heidenhain":
         text = with_unit(whole, text)
     text, passed = pass_over(text, language, of_machine.no_motion)
