@@ -368,7 +368,7 @@ def test_two_slashes_are_a_comment_of_mach3() -> None:
 @pytest.mark.parametrize(
     ("controller", "lines", "code"),
     [
-        ("fanuc", "G112\nG1 X10.\nG113", "polar"), ("linuxcnc", "G7\nG1 X10.\nG8", "offset"), ("fanuc", "G68 X0 Y0 R9.\nG1 X10.\nG69", "offset"),
+        ("fanuc", "G112\nG1 X10.\nG113", "polar"), ("linuxcnc", "G7\nG1 X10.\nG8", "offset"), ("fanuc", "G51 X0 Y0 P2000\nG1 X10.\nG50", "offset"), ("linuxcnc", "G68 X0 Y0 R9.\nG1 X10.\nG69", "offset"),
         ("linuxcnc", "G10 L2 P1 R9\nG1 X10", "offset"),
     ],
 )  # fmt: skip

@@ -186,7 +186,7 @@ def test_relative_planes_go_on_from_the_one_that_is_on() -> None:
         ("fanuc", "G68.2 P1 Q1 X1. Y2. Z3. I10. J20. K30.", "P1"), ("fanuc", "G68.2 P2 Q0 X0. Y0. Z0. R0.", "P2"), ("fanuc", "G68.2 P2 Q1 X1. Y0. Z0.", "P2"),
         ("fanuc", "G68.2 P3 Q1 X0. Y0. Z0. I1. J0. K0.", "P3"), ("fanuc", "G68.2 P4 X0. Y0. Z0. I10. J0. K0.", "P4"), ("fanuc", "G68.3 X0. Y0. Z0. R0.", "G68.3"),
         ("fanuc", "G68.4 X0. Y0. Z0. I0. J0. K10.", "G68.4"), ("haas", "G268 X0. Y0. Z0. I0. J30. K0. Q121", "G268"),
-        ("fanuc", "G52 C5.", "G52"), ("fanuc", "G92 X5.", "G92"), ("fanuc", "G68 X0. Y0. R30.", "G68"), ("fanuc", "G10 L2 P1 X5.", "G10"),
+        ("fanuc", "G52 C5.", "G52"), ("fanuc", "G92 X5.", "G92"), ("fanuc", "G68 R30.", "G68"), ("fanuc", "G10 L2 P1 X5.", "G10"),
         ("heidenhain", "PLANE AXIAL B+45 TURN FMAX", "PLANE AXIAL"), ("heidenhain", "PLANE PROJECTED PROPR+24 PROMIN+24 ROT+30 TURN FMAX", "PLANE PROJECTED"),
         ("heidenhain", "PLANE POINTS P1X+0 P1Y+0 P1Z+20 P2X+30 P2Y+31 P2Z+20 P3X+0 P3Y+41 P3Z+32 TURN FMAX", "PLANE POINTS"),
         ("heidenhain", "PLANE RELATIV SPA+Q5 TURN FMAX", "PLANE RELATIV"), ("heidenhain", "CYCL DEF 7.1 #5", "CYCL DEF 7.1"), ("heidenhain", "CYCL DEF 7.1 X+Q5", "CYCL DEF 7.1"),
