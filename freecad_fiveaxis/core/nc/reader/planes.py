@@ -140,7 +140,7 @@ def _by_codes(lines: Lines, grammar: Grammar) -> dict[int, Tilt]:
         if code == codes.TILT[0]:
             tilts[row] = _euler(given)
         elif code == codes.TURN:
-            tilts[row] = _turned(given, int(normal[row]), bool(steps[row]))
+            tilts[row] = _turn_in_plane(given, int(normal[row]), bool(steps[row]))
         elif code == codes.TILT[1]:
             tilts[row] = Tilt(FANUC, move=TURN, name="G53.1")
         else:
@@ -158,7 +158,7 @@ def _euler(given: dict[str, float]) -> Tilt:
     return Tilt(FANUC, plane_calls.euler((i, j, k)), (x, y, z))
 
 
-def _turned(given: dict[str, float], normal: int, steps: bool) -> Tilt:
+def _turn_in_plane(given: dict[str, float], normal: int, steps: bool) -> Tilt:
     """Return the coordinates that G68 turns about a place of the plane (Fanuc B-63324EN, 13.5, coordinate
     system rotation)."""
     axes = ["XYZ"[axis] for axis in range(3) if axis != normal]

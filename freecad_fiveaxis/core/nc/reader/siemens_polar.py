@@ -36,7 +36,7 @@ G_CODE = re.compile(r"(?<![A-Z0-9_$])G *0*([0-9]+)(?![0-9.=])")
 OTHER = re.compile(r"(?<![A-Z0-9_$])[A-Z_$]{2}[A-Z0-9_]*")
 ARC_WORD = re.compile(r"(?<![A-Z0-9_$])C(?:IP|T)(?![A-Z0-9_])")
 FIRST = re.compile(r"^( *(?:/[0-9]? *)?(?:N *[0-9]+ *)?)")
-AXES = {17: "XYIJ", 18: "ZXKI", 19: "YZJK"}
+AXES = {17: ("X", "Y", "I", "J"), 18: ("Z", "X", "K", "I"), 19: ("Y", "Z", "J", "K")}
 """By plane: the two axes, and the words of a centre along them."""
 ACROSS = {17: "Z", 18: "Y", 19: "X"}
 POLES, UNITS, ELSEWHERE = (110, 111, 112), (70, 71, 700, 710), (53, 74, 75, 153)
@@ -54,11 +54,11 @@ Words = dict[str, tuple[str, float]]
 @dataclass
 class Place:
     """Where the tool stands, by axis, in the units of the words; a missing one is not known. ``pole`` in the
-    working plane, None: not known; ``told``: by the program; ``polar``: the last RP and AP about it."""
+    working plane, None: not known; ``programmed``: by the program; ``polar``: the last RP and AP about it."""
 
     at: dict[str, float] = field(default_factory=dict)
     pole: tuple[float, float] | None = (0.0, 0.0)
-    told: bool = False
+    programmed: bool = False
     polar: dict[str, float] = field(default_factory=dict)
     plane: int = 17
     motion: str = "G1"
@@ -67,7 +67,7 @@ class Place:
     def forget(self) -> None:
         """Nothing is known of these coordinates but their zero."""
         self.at, self.polar = {}, {}
-        if self.told:
+        if self.programmed:
             self.pole = None
 
     def here(self) -> tuple[float, float] | None:
@@ -133,7 +133,7 @@ def _change_modes(row: str, numbers: list[int], place: Place) -> None:
         elif number in (90, 91):
             place.steps = number == 91
         elif number in AXES and number != place.plane:
-            place.plane, place.pole, place.polar = number, None if place.told else place.pole, {}
+            place.plane, place.pole, place.polar = number, None if place.programmed else place.pole, {}
         elif number in UNITS:
             place.forget()
     if found := ARC_WORD.search(row):
@@ -155,7 +155,7 @@ def _set_pole(row: str, numbers: list[int], words: Words | None, place: Place) -
     kind = next(number for number in numbers if number in POLES)
     base = {110: place.here(), 111: (0.0, 0.0), 112: place.pole}[kind]
     off = _offset(words, place, kind == 111) if words is not None else None
-    place.told, place.polar, place.pole = True, {}, None
+    place.programmed, place.polar, place.pole = True, {}, None
     if base is None or off is None:
         return row
     place.pole = base[0] + off[0], base[1] + off[1]
