@@ -4664,6 +4664,10 @@
         <translation>- ist keine Datei, und auf die Standardausgabe wird nichts geschrieben; eine Datei nennen</translation>
     </message>
     <message>
+        <source>1 block feeds after a move to a machine position, before {axes} has a word again in a rapid move: it is taken from where the axis stood before. Give {axes} first.</source>
+        <translation>1 Satz fährt nach einer Maschinenposition im Vorschub, bevor {axes} im Eilgang wieder ein Wort hat: Er ist von dort genommen, wo die Achse vorher stand. Zuerst {axes} angeben.</translation>
+    </message>
+    <message>
         <source>1 block has no F above 0 in force; most controllers stop there. Give F.</source>
         <translation>1 NC-Satz hat kein gültiges F über 0; die meisten Steuerungen halten dort an. F angeben.</translation>
     </message>
@@ -5848,6 +5852,10 @@
         <translation>Das Programm verwendet {count} Nullpunktverschiebungen: {names} (mit ihren ersten Zeilen). Ihr Abstand ist nicht bekannt, und die Sätze dazwischen stimmen nicht. Jeden Teil für sich prüfen.</translation>
     </message>
     <message>
+        <source>The programs {names} behind the closing % are called, and read. A control may stop at that %: load each by itself.</source>
+        <translation>Die Programme {names} hinter dem schließenden % werden aufgerufen und sind gelesen. Eine Steuerung hält vielleicht an diesem %: jedes für sich laden.</translation>
+    </message>
+    <message>
         <source>The recommended setup lies on the edge of the region ({edges}); beyond it may be a better one.</source>
         <translation>Die empfohlene Aufspannung liegt am Rand des Bereichs ({edges}); dahinter mag eine bessere liegen.</translation>
     </message>
@@ -6330,6 +6338,10 @@
     <message>
         <source>a facet names vertex {wrong}, but the rows run from 0 to {count}: correct the facets</source>
         <translation>eine Facette nennt die Ecke {wrong}, aber die Zeilen gehen von 0 bis {count}: die Facetten berichtigen</translation>
+    </message>
+    <message>
+        <source>a feed begins where an axis stands at a machine position that is not known</source>
+        <translation>ein Vorschub beginnt, wo eine Achse auf einer unbekannten Maschinenposition steht</translation>
     </message>
     <message>
         <source>a feed is given by a parameter or the tool</source>
@@ -7374,6 +7386,10 @@
     <message>
         <source>it stands in a tilted plane</source>
         <translation>sie steht in einer geschwenkten Ebene</translation>
+    </message>
+    <message>
+        <source>it stands under G91</source>
+        <translation>es steht unter G91</translation>
     </message>
     <message>
         <source>it would run at a machine position</source>
@@ -9686,6 +9702,10 @@
     <message>
         <source>{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put the tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow more, or use a controller with finer words.</source>
         <translation>{count} NC-Sätze lassen sich nicht innerhalb {tolerance} halten: Wörter mit {linear} und {rotary} Dezimalen setzen die Werkzeugspitze bis zu {most_off} daneben. Der schlimmste, der zu {spot} führt, hält nachweislich {value} ein. Mehr erlauben oder eine Steuerung mit feineren Wörtern nehmen.</translation>
+    </message>
+    <message>
+        <source>{count} blocks feed after a move to a machine position, before {axes} has a word again in a rapid move: they are taken from where the axis stood before. Give {axes} first.</source>
+        <translation>{count} Sätze fahren nach einer Maschinenposition im Vorschub, bevor {axes} im Eilgang wieder ein Wort hat: Sie sind von dort genommen, wo die Achse vorher stand. Zuerst {axes} angeben.</translation>
     </message>
     <message>
         <source>{count} blocks have no F above 0 in force; most controllers stop there. Give F.</source>

@@ -89,8 +89,8 @@ def test_first_lines_are_those_of_the_file_where_a_program_is_written_out() -> N
     (found,) = [one for one in read(text, "siemens840d").findings if one.code == "offset-not-interpreted"]
     assert found.line == 8 and "MIRROR (8), SCALE (9)" in found.text
     iso = read(
-        "G90\nG0 X0 Y0 Z9 A0 C0\n#1=0\nWHILE[#1LT5]DO1\n#1=#1+1\nG1 X#1 F9\nEND1\nG16\nG51 X2\nX3\nM30\n",
+        "G90\nG0 X0 Y0 Z9 A0 C0\n#1=0\nWHILE[#1LT5]DO1\n#1=#1+1\nG1 X#1 F9\nEND1\nG50.1 X0\nG51 X2\nX3\nM30\n",
         "fanuc",
     )
     (found,) = [one for one in iso.findings if one.code == "offset-not-interpreted"]
-    assert found.line == 8 and "G16 (8), G51 (9)" in found.text
+    assert found.line == 8 and "G50.1 (8), G51 (9)" in found.text

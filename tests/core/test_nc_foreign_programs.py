@@ -221,7 +221,7 @@ def test_f_under_g70_is_in_the_basic_system_of_the_control_and_under_g700_in_inc
 
 def test_an_axis_by_its_number_that_this_machine_has_not_is_an_error() -> None:
     program = read(SIEMENS + "G75 FP=1 Z1=0\nG1 X1=5 C1=-3.5\nG74 X1=0 Y1=0\nX2\nM30\n", "siemens840d")
-    assert errors(program) == ["unknown-axis"]
+    assert errors(program) == ["unknown-axis", "feed-from-machine-position"]
     (found,) = [one for one in program.findings if one.code == "unknown-axis"]
     assert found.line == 4 and "X1 (4)" in found.text and "C1 (4)" in found.text
     assert read(SIEMENS + "G1 Y1\nX1=5", "siemens840d").findings[-1].line == 4
@@ -368,7 +368,7 @@ def test_two_slashes_are_a_comment_of_mach3() -> None:
 @pytest.mark.parametrize(
     ("controller", "lines", "code"),
     [
-        ("fanuc", "G112\nG1 X10.\nG113", "polar"), ("linuxcnc", "G7\nG1 X10.\nG8", "offset"), ("fanuc", "G68 X0 Y0 R9.\nG1 X10.\nG69", "offset"),
+        ("fanuc", "G112\nG1 X10.\nG113", "polar"), ("linuxcnc", "G7\nG1 X10.\nG8", "offset"), ("fanuc", "G51 X0 Y0 P2000\nG1 X10.\nG50", "offset"), ("linuxcnc", "G68 X0 Y0 R9.\nG1 X10.\nG69", "offset"),
         ("linuxcnc", "G10 L2 P1 R9\nG1 X10", "offset"),
     ],
 )  # fmt: skip

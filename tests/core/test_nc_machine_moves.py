@@ -7,6 +7,7 @@ import pytest
 from mesh_shapes import box
 from plain import build_settings
 
+from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
@@ -114,3 +115,31 @@ def test_such_a_block_is_not_singular_however_far_it_turns_near_the_pole(tmp_pat
         column = next(row for row in table if "singular" in row).split(",").index("singular")
         rows = [row.split(",")[column] for row in table if row[:1].isdigit()]
         assert rows[block] == str(int(not away))
+
+
+@pytest.mark.parametrize(
+    ("text", "controller", "line", "axes"),
+    [
+        ("G90 G21 G0 X0 Y0 Z10 A0 C0\nG53 G0 Z0\nG1 X60 F500\nX70\nG0 Z10\nM2\n", "linuxcnc", 3, "Z"),
+        ("G90 G21 G0 X0 Y0 Z10 A0 C0\nG91 G28 X0 Y0 Z0\nG90 G0 X60 Y0\nG1 Z-1 F500\nM2\n", "fanuc", 4, "Z"),
+        ("G90 G71 G0 X0 Y0 Z10 A0 C0\nSUPA G0 Z0 C0\nG1 X60 F500\nM30\n", "siemens840d", 3, "Z, C"),
+        (BEGIN + "L Z0 R0 FMAX M91\nL X+60 F500\nL Z+1 F500\nEND PGM A MM\n", "heidenhain", 8, "Z"),
+    ],
+)
+def test_a_feed_from_where_the_machine_alone_knows_is_an_error(text, controller, line, axes):
+    program = read_nc(text.encode(), TRUNNION, DIALECTS[controller])
+    (found,) = [one for one in program.findings if one.severity is Severity.ERROR]
+    assert (
+        found.code == "feed-from-machine-position"
+        and found.line == line
+        and f"before {axes} has" in found.text
+    )
+
+
+@pytest.mark.parametrize(
+    "back", ["G0 X60 Y5\nG0 Z10\nG1 Z1", "G0 Z10\nG1 X60", "G0 Z10\nG53\nG1 X60", "G0 Z10\nG1 Z1\nG91 X5"]
+)
+def test_a_feed_after_a_rapid_to_that_axis_is_none(back):
+    text = f"G90 G21 G0 X0 Y0 Z10 A0 C0\nG1 Z1 F500\nG53 G0 Z0\n{back}\nM2\n"
+    findings = read_nc(text.encode(), TRUNNION, DIALECTS["linuxcnc"]).findings
+    assert not [one for one in findings if one.severity is Severity.ERROR]

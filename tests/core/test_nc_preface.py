@@ -171,3 +171,30 @@ def test_a_percent_sign_within_a_line_of_other_controls_is_refused() -> None:
 def test_a_carriage_return_before_a_block_number_ends_the_line() -> None:
     program = read(BODY.replace("G1 X5. F100\n", "N1 G1 X5. F100\rN2 X6.\n"), "fanuc")
     assert path(program) == ["f 5 0 20", "f 6 0 20"] and program.line.tolist() == [2, 3, 4]
+
+
+SECTIONS = (
+    "%\nO1 (MAIN)\nG21 G90 G94 G17\nG0 X0 Y0 Z9 A0 C0\n{}\nG1 X7 F100\n{}%\n\n%\nO2000 (SUB)\nG91 G1 X2 F100\nG90\nM98 P3000\nM99\n%\n"
+    "%\nO3000\nG1 Y5 F100\nM99\n%\n%\nO4000\nG1 Z-99 F100\nM99\n%\n"
+)
+
+
+@pytest.mark.parametrize("end", ["M30\n", ""])
+@pytest.mark.parametrize(
+    ("call", "places"),
+    [("M98 P2000", [(2, 0), (2, 5), (7, 5)]), ("M98 P22000", [(2, 0), (2, 5), (4, 5), (4, 5), (7, 5)]), ("M98 P3000", [(0, 5), (7, 5)])],
+)  # fmt: skip
+def test_subprograms_behind_the_closing_mark_are_called(call, places, end):
+    program = read(SECTIONS.format(call, end), "fanuc")
+    assert program.words[1:, :2].tolist() == [list(place) for place in places]
+    assert not [found for found in program.findings if found.severity is Severity.ERROR], program.findings
+    (found,) = [one for one in program.findings if one.code == "text-after-end" and "are called" in one.text]
+    assert "O3000" in found.text and "O4000" not in found.text
+    assert (19 if end else 18) in program.line.tolist()
+
+
+def test_what_is_not_called_behind_the_closing_mark_stays_unread():
+    program = read(SECTIONS.format("X1", "M30\n"), "fanuc")
+    assert program.words[:, 2].min() == 9 and "not read" in str([one.text for one in program.findings])
+    lost = read(SECTIONS.format("M98 P5000", "M30\n"), "fanuc")
+    assert "call-not-interpreted" in [found.code for found in lost.findings]

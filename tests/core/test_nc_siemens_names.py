@@ -19,7 +19,7 @@ HEAD = "G0 G90 G71 X0 Y0 Z20 A0 C0\nG1 F100\n"
         ("_GUD=4\nX=_GUD\n", [4]), ("DEF INT X_NOTE=2\nX=IC(X_NOTE)\nX=IC(X_NOTE)\n", [2, 4]),
         ("DEF BOOL ON=TRUE\nIF ON AND 1\nX1\nENDIF\nIF ON==0\nX2\nENDIF\n", [1]), ("DEF REAL TOL=.02\nCYCLE832(TOL,1,1)\nX=TOL\n", [0.02]),
         ("DEF INT K=0\nWHILE K<2\nK=K+1\nX=K\nENDWHILE\n", [1, 2]), ("R1=2\nX=AC(R1*3) CR=R1\n", [6]),
-        ("DEF REAL Z_HOME=9\nSUPA G0 Z=Z_HOME D0\nSUPA\nG1 X1\n", [1]), ("DEF STRING[32] NAME\nX3\n", [3]),
+        ("DEF REAL Z_HOME=9\nSUPA G0 Z=Z_HOME D0\nSUPA\nG0 Z20\nG1 X1\n", [0, 1]), ("DEF STRING[32] NAME\nX3\n", [3]),
     ],
 )  # fmt: skip
 def test_named_variables_are_read(text: str, ends: list[float]) -> None:

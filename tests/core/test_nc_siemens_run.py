@@ -48,3 +48,12 @@ def test_a_loop_that_does_not_end_is_refused_and_findings_keep_their_lines(
     program = read(HEAD + "R1=0\nWHILE R1<3\nR1=R1+1\nX=R1\nENDWHILE\nSUBPROG\n", "siemens840d")
     assert [found.line for found in program.findings if found.code == "call-not-interpreted"] == [8]
     assert program.line.tolist() == [1, 6, 6, 6]
+
+
+def test_lines_are_those_of_the_file_beside_a_line_that_is_left_out() -> None:
+    program = read(
+        "G90 G710\nG0 X0 Y0 Z9 A0 C0\nG1 F9\nAB: X5\nBC: X1\nREPEAT AB BC P=2\nX= IC( 3\nX7\nM30\n",
+        "siemens840d",
+    )
+    assert program.line.tolist() == [2, *[4, 5] * 3, 8]
+    assert [found.line for found in program.findings if found.code == "macro-not-interpreted"] == [7]

@@ -474,6 +474,12 @@ class Code(str, Enum):
         "",
         "moves to positions of the machine, which are not known",
     )
+    FEED_FROM_MACHINE_POSITION = (
+        "feed-from-machine-position",
+        ERROR,
+        "1",
+        "a feed begins where an axis stands at a machine position that is not known",
+    )
     MACRO_NOT_INTERPRETED = "macro-not-interpreted", ERROR, "", "variables, expressions or jumps"
     NO_DECIMAL_POINT = "no-decimal-point", NOTE, "", "words without a decimal point"
     NO_FEED = "no-feed", ERROR, "", "feed moves have no feed"

@@ -37,7 +37,8 @@ def _find_arcs(source: Source, motions: Moves) -> Arcs:
     for letter, column in columns.items():
         check_near(lines, letter, np.where(is_arc, column, np.nan))
     offset = np.stack([columns[letter][line] for letter in "IJK"], axis=1) * scale[:, None]
-    centre = np.stack([hold_words(columns[letter])[line] for letter in codes.CENTRE], axis=1) * scale[:, None]
+    hold = np.asarray if source.grammar.name == "siemens" else hold_words  # I=AC() is of its own line
+    centre = np.stack([hold(columns[letter])[line] for letter in codes.CENTRE], axis=1) * scale[:, None]
     sense = lines.mode({codes.CLOCKWISE: 0, codes.COUNTER: 1}, 0)[line]
     return Arcs(
         row, lines.mode(codes.PLANES, 0)[line], sense == 1, offset, lines.mode(codes.CENTRES, 0)[line] == 1,

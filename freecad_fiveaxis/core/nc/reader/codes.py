@@ -40,6 +40,8 @@ INCH = 25.4
 DWELL = 40
 TILT, LEVEL = (682, 531), 690
 """G68.2 and G53.1: a tilted plane, and the axes turned to it; G69 ends it."""
+TURN, POLAR_MODE = 680, 160
+"""G68 and G16 of Fanuc: coordinates turned in the plane, and polar ones (:mod:`.polar_mode`)."""
 DYNAMIC = (2540, 2550)
 """G254 and G255 of Haas: the dynamic work offset, on and off (:mod:`.dynamic_offset`)."""
 KINEMATICS = (121, 131)

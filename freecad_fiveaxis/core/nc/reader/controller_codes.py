@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What one controller means by a code or a word that the others of its language mean otherwise.
 
-haas      G110 to G129 are work offsets, G70 to G72 circles and rows of holes (NGC mill operator's manual).
-fanuc     G43.1 is a length along the tool's axis, in whose lines X Y Z move (B-63324EN, tool length
-          compensation in tool axis direction); elsewhere its words are the length itself (LinuxCNC, grbl).
+haas      G68 turns the coordinates, as Fanuc's does. G110 to G129 are work offsets, G70 to G72 circles and
+          rows of holes (NGC mill operator's manual).
+fanuc     G16 makes X and Y polar (:mod:`.polar_mode`). G43.1 is a length along the tool's axis, in whose
+          lines X Y Z move (B-63324EN, tool length compensation in tool axis direction); elsewhere its words
+          are the length itself (LinuxCNC, grbl).
           G112 is another name of G12.1, polar coordinates (B-64304EN, G code list), where Haas' mills have a
           work offset.
 grbl      F in a program in inches is made mm a minute whatever moves (gcode.c of grbl-Mega-5X), so that of
@@ -46,8 +48,9 @@ def grammar_of(language: str, controller: str) -> Grammar:
         return grammar
     if controller == "haas":
         return replace(
-            grammar, codes={**grammar.codes, **dict.fromkeys((*HOLES, *TAPS), codes.CYCLE_KIND)},
-            harmless=grammar.harmless | frozenset(NUMBERED), offsets=grammar.offsets + NUMBERED,
+            grammar,
+            codes=_without(grammar, codes.TURN) | dict.fromkeys((*HOLES, *TAPS), codes.CYCLE_KIND),
+            harmless=grammar.harmless | {*NUMBERED, codes.TURN}, offsets=grammar.offsets + NUMBERED,
             no_move=grammar.no_move + HOLES + TAPS,
         )  # fmt: skip
     if controller == "grbl":
@@ -56,9 +59,15 @@ def grammar_of(language: str, controller: str) -> Grammar:
         no_move = tuple(code for code in grammar.no_move if code != ALONG_AXIS)
         own = {ALONG_AXIS: codes.SHIFT, POLAR_ON: codes.POLAR}
         return replace(
-            grammar, codes={**grammar.codes, **own}, no_move=no_move, harmless=grammar.harmless | {POLAR_OFF}
-        )
+            grammar, codes={**_without(grammar, codes.TURN, codes.POLAR_MODE), **own}, no_move=no_move,
+            harmless=grammar.harmless | {POLAR_OFF, codes.TURN, codes.POLAR_MODE},
+        )  # fmt: skip
     return grammar
+
+
+def _without(grammar: Grammar, *numbers: int) -> dict[int, codes.Kind]:
+    """Return what is said of codes, but of these, which are interpreted."""
+    return {code: kind for code, kind in grammar.codes.items() if code not in numbers}
 
 
 def turn_arcs(

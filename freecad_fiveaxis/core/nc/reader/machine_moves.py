@@ -5,7 +5,7 @@ where the tool is.
 gap       the rapids of that stretch: no blocks, as those of a safe start. The first line after it is a block
           to whose end the way is not known (``Program.unknown_way``).
 feeding   a stretch in which something feeds is no safe way back from the machine's position: its lines stay
-          blocks, with the words that they had before.
+          blocks, with the words that they had before, which is an error: the tool is elsewhere.
 """
 
 from __future__ import annotations
@@ -15,19 +15,28 @@ from typing import NamedTuple
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints, take_rows
+from freecad_fiveaxis.core.base.sentences import plural
 from freecad_fiveaxis.core.motion.program import Guided, Program
 
 from . import codes
 from .positions import ABSOLUTE, NOTHING, SHORTER, AxisWords, Moves
 from .source import Source
 
+ALL_AXES = (280, 281, 300, 301, 740, 750)
+"""Codes that drive all axes where their line names none: G28, G30 and Siemens' G74, G75; G53, M91 and SUPA
+drive what their line names alone."""
+
 
 class Gaps(NamedTuple):
-    """Of the motion lines (m,): those that are in a gap, and those to whose end the way is not known."""
+    """Of the motion lines (m,): those that are in a gap, and those to whose end the way is not known.
+    ``feeding`` (m, 5): the axes from whose unknown places a line feeds."""
 
     inside: Bools
     after: Bools
+    feeding: Bools
 
 
 def find_gaps(source: Source, motions: Moves, axes: AxisWords) -> Gaps:
@@ -36,7 +45,8 @@ def find_gaps(source: Source, motions: Moves, axes: AxisWords) -> Gaps:
     at, kind = motions.at, np.column_stack([kind for _, kind in axes])
     driven = _find_driven(source, kind, int(at[0]))
     if not driven.any():
-        return Gaps(np.zeros(len(at), np.bool_), np.zeros(len(at), np.bool_))
+        none = np.zeros(len(at), np.bool_)
+        return Gaps(none, none, np.zeros_like(kind[at], np.bool_))
     given = np.zeros_like(driven)
     given[at] = np.isin(kind[at], (ABSOLUTE, SHORTER))
     given[at, 3:] |= ~np.isnan(motions.vector).all(axis=1, keepdims=True)
@@ -46,12 +56,32 @@ def find_gaps(source: Source, motions: Moves, axes: AxisWords) -> Gaps:
     before = np.concatenate([at[:1], at[:-1]])
     fresh: Bools = np.asarray((left > before[:, None]).any(axis=1))
     fresh |= np.concatenate([[False], lost[:-1]])
-    return _without_feeds(lost, fresh, motions.mode == codes.RAPID)
+    rapid = motions.mode == codes.RAPID
+    unknown: Bools = np.asarray(left > np.concatenate([np.full_like(back[:1], -1), back[:-1]]))
+    return Gaps(*_without_feeds(lost, fresh, rapid), unknown & ~rapid[:, None])
+
+
+def feed_findings(gaps: Gaps, motions: Moves, letters: str) -> list[Finding]:
+    """Report the lines that feed while an axis is where the machine alone knows."""
+    rows = np.flatnonzero(gaps.feeding.any(axis=1))
+    if not len(rows):
+        return []
+    axes = ", ".join(letter for letter, one in zip(letters, gaps.feeding[rows[0]], strict=True) if one)
+    text = plural(
+        len(rows),
+        "1 block feeds after a move to a machine position, before {axes} has a word again in a rapid move: "
+        "it is taken from where the axis stood before. Give {axes} first.",
+        "{count} blocks feed after a move to a machine position, before {axes} has a word again in a rapid "
+        "move: they are taken from where the axis stood before. Give {axes} first.",
+        axes=axes,
+    )
+    line = int(motions.at[rows[0]])
+    return [report_finding(Code.FEED_FROM_MACHINE_POSITION, text, float(len(rows)), line=line)]
 
 
 def _find_driven(source: Source, kind: Bytes, first: int) -> Bools:
-    """Whether each line (lines, 5) drives an axis to a machine position: those that it names, or all, after
-    the line ``first`` of the first block."""
+    """Whether each line (lines, 5) drives an axis to a machine position: those that it names, or of
+    :data:`ALL_AXES` all, after the line ``first`` of the first block."""
     lines, grammar = source.lines, source.grammar
     going = lines.any_of(code for code, meant in grammar.codes.items() if meant is codes.HOME)
     going[lines.m_line(grammar.machine_m)] = True
@@ -59,10 +89,11 @@ def _find_driven(source: Source, kind: Bytes, first: int) -> Bools:
         going |= ~np.isnan(lines.column(codes.MACHINE))
     going[: first + 1] = False
     named: Bools = kind != NOTHING
-    return going[:, None] & (named | ~named.any(axis=1, keepdims=True))
+    whole = lines.any_of(ALL_AXES) & ~named.any(axis=1)
+    return going[:, None] & (named | whole[:, None])
 
 
-def _without_feeds(lost: Bools, fresh: Bools, rapid: Bools) -> Gaps:
+def _without_feeds(lost: Bools, fresh: Bools, rapid: Bools) -> tuple[Bools, Bools]:
     """Return the gaps, but those in which, or from which, something feeds. A gap goes from where the machine
     leaves to where all its axes are known again."""
     touched = lost | fresh
@@ -70,7 +101,7 @@ def _without_feeds(lost: Bools, fresh: Bools, rapid: Bools) -> Gaps:
     feeding = np.zeros(int(group[-1]) + 1, np.bool_)
     feeding[group[touched & ~rapid]] = True
     kept = ~feeding[group]
-    return Gaps(lost & kept, fresh & ~lost & kept)
+    return lost & kept, fresh & ~lost & kept
 
 
 def leave_out_gaps(program: Program, gaps: Gaps, row: Ints | slice) -> Program:

@@ -46,7 +46,7 @@ from .findings import (
     wrap_findings,
 )
 from .lines import UNTOLD, Assumed, Lines
-from .machine_moves import find_gaps, leave_out_gaps
+from .machine_moves import feed_findings, find_gaps, leave_out_gaps
 from .motion_lines import find_line_states, find_motion_lines
 from .positions import find_moves
 from .source import read_source
@@ -116,6 +116,7 @@ def read_in_order(
         *without_feed, *sharp, *start_findings(kinematics.letters, motions, lines, grammar),
         *wrap_findings(kinematics, motions, dialect),
         *plane_findings(kinematics, state.planes, motions, blocks, program.words),
+        *feed_findings(gaps, motions, kinematics.letters),
     )  # fmt: skip
     program = leave_out_gaps(program, gaps, blocks.row)
     findings = (*source.findings, *in_file(words, findings + guide_findings(program, motions)), *of_codes)

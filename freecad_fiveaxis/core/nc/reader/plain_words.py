@@ -16,8 +16,9 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import Template, say
 
-from . import codes, din_iso, heidenhain, heidenhain_run, interpreter, siemens, siemens_run
+from . import codes, din_iso, heidenhain, heidenhain_run, interpreter, siemens, siemens_polar, siemens_run
 from .feed_groups import FeedGroup
+from .heidenhain_corners import mark_corners
 from .heidenhain_polar import without_polar
 from .noted import Notes
 from .of_machine import NO_MACHINE, OfMachine
@@ -66,6 +67,9 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
         or siemens_run.EXPRESSION.search(text)
         or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)
     ):
+        if siemens_polar.SIGN.search(text):
+            text, notes = siemens_polar.without_polar(text), Notes()
+            read = siemens.plain(text, notes)
         return _with_findings(text, read, notes, None, [])
     notes, called = Notes(), text
     text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
@@ -76,6 +80,7 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
             text, source = run.text, run.source
         else:
             refused = [not_run(run)]
+    text = text if refused else siemens_polar.without_polar(text)
     result = _with_findings(text, siemens.plain(text, notes), notes, source, refused, first=True)
     return replace(result, cause=refused[0] if refused else None)
 
@@ -90,7 +95,8 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
         else:
             cause = not_run(run)
             refused = [cause]
-    text = din_iso.with_own_words(without_polar(heidenhain.join_lines(text)), notes)
+    text = mark_corners(without_polar(heidenhain.join_lines(text)))
+    text = din_iso.with_own_words(text, notes)
     return replace(_with_findings(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 

@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes, plane_calls
+from .arcs import AXES
 from .codes import Grammar
 from .lines import Lines, last_of
 from .plane_calls import FANUC, HAAS, MOVE, TURN, Tilt
@@ -110,7 +111,7 @@ def planes_of(
 
 def tilts_of(lines: Lines, grammar: Grammar) -> dict[int, Tilt]:
     """Return the lines that begin, turn to or end a tilted plane, in their order."""
-    return dict(sorted((_by_codes(lines) if grammar.name == "iso" else _by_words(lines)).items()))
+    return dict(sorted((_by_codes(lines, grammar) if grammar.name == "iso" else _by_words(lines)).items()))
 
 
 def _by_words(lines: Lines) -> dict[int, Tilt]:
@@ -122,22 +123,24 @@ def _by_words(lines: Lines) -> dict[int, Tilt]:
     return {row: lines.words.tilts[int(number[row])] for row in at.tolist()}
 
 
-def _by_codes(lines: Lines) -> dict[int, Tilt]:
+def _by_codes(lines: Lines, grammar: Grammar) -> dict[int, Tilt]:
     tilts = dict[int, Tilt]()
     if codes.DYNAMIC[0] in lines.code:
         of_haas = np.isin(lines.code, codes.DYNAMIC)
         for row, code in zip(lines.code_line[of_haas].tolist(), lines.code[of_haas].tolist(), strict=True):
             tilts[row] = Tilt(HAAS, np.eye(3) if code == codes.DYNAMIC[0] else None)
-    if not np.isin(lines.code, codes.TILT).any():
+    turns = codes.TURN not in grammar.codes and codes.TURN in lines.code
+    if not turns and not np.isin(lines.code, codes.TILT).any():
         return tilts
     columns = {letter: lines.column(letter) for letter in "XYZIJKPR"}
-    chosen = np.isin(lines.code, (*codes.TILT, codes.LEVEL))
+    chosen = np.isin(lines.code, (*codes.TILT, codes.LEVEL, *([codes.TURN] if turns else [])))
+    normal, steps = AXES[lines.mode(codes.PLANES, 0), 2], lines.mode(codes.DISTANCE, 0) == 1
     for row, code in zip(lines.code_line[chosen].tolist(), lines.code[chosen].tolist(), strict=True):
+        given = {letter: float(one[row]) for letter, one in columns.items() if not np.isnan(one[row])}
         if code == codes.TILT[0]:
-            given = {
-                letter: float(column[row]) for letter, column in columns.items() if not np.isnan(column[row])
-            }
             tilts[row] = _euler(given)
+        elif code == codes.TURN:
+            tilts[row] = _turn_in_plane(given, int(normal[row]), bool(steps[row]))
         elif code == codes.TILT[1]:
             tilts[row] = Tilt(FANUC, move=TURN, name="G53.1")
         else:
@@ -153,6 +156,22 @@ def _euler(given: dict[str, float]) -> Tilt:
     if why := plane_calls.beyond((x, y, z, i, j, k)):
         return Tilt(FANUC, refused=why)
     return Tilt(FANUC, plane_calls.euler((i, j, k)), (x, y, z))
+
+
+def _turn_in_plane(given: dict[str, float], normal: int, steps: bool) -> Tilt:
+    """Return the coordinates that G68 turns about a place of the plane (Fanuc B-63324EN, 13.5, coordinate
+    system rotation)."""
+    axes = ["XYZ"[axis] for axis in range(3) if axis != normal]
+    if steps:
+        return Tilt(FANUC, refused=say("it stands under G91"), name="G68")
+    if "R" not in given or not {*axes} <= given.keys():
+        return Tilt(FANUC, refused=say("not all its values are given, or others"), name="G68")
+    if why := plane_calls.beyond([given["R"], *(given[axis] for axis in axes)]):
+        return Tilt(FANUC, refused=why, name="G68")
+    turn = plane_calls.about(normal, given["R"])
+    about = np.array([given[axis] if axis in axes else 0.0 for axis in "XYZ"])
+    x, y, z = (about - turn @ about).tolist()
+    return Tilt(FANUC, turn, (x, y, z), name="G68", frame=True)
 
 
 def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:

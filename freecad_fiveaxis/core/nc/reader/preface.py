@@ -22,6 +22,8 @@ from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Template, say
 
+from .tape_sections import find_called, join_sections, sentence_of
+
 SOLID = re.compile(rb"[^ \n]")
 END_SIGN = re.compile(rb"[\x03\x04][\x03\x04\x1a\s]*\Z")
 LONE_CR = re.compile(rb"\r(?! *N *[0-9])", re.IGNORECASE)
@@ -117,9 +119,9 @@ def _without_colons(text: bytes, findings: list[Finding]) -> bytes:
     return COLON.sub(lambda found: found[0].replace(b":", b" "), text)
 
 
-def between_marks(text: bytes, findings: list[Finding]) -> bytes:
+def between_marks(text: bytes, findings: list[Finding], language: str = "iso") -> bytes:
     """Cut the text at the ``%`` line that ends the program, and blank what stands before it: the opening one
-    with the leader."""
+    with the leader. In ISO, subprograms behind it that are called stay (:mod:`.tape_sections`)."""
     marks = _marks(text)
     if not marks:
         return text
@@ -128,11 +130,14 @@ def between_marks(text: bytes, findings: list[Finding]) -> bytes:
     which = _program(text, spans)
     begin, end = spans[which]
     findings += _leader_findings(text, spans[:which])
-    if SOLID.search(text, line_end(text, end)):
+    called = find_called(text, spans[which], spans[which + 1 :]) if language == "iso" else {}
+    if called:
+        findings.append(finding_at(Code.TEXT_AFTER_END, sentence_of(called), text, end))
+    elif SOLID.search(text, line_end(text, end)):
         findings.append(
             finding_at(Code.TEXT_AFTER_END, say("The text after the closing % is not read."), text, end)
         )
-    return re.sub(rb"[^\n]", b" ", text[:begin]) + text[begin:end]
+    return re.sub(rb"[^\n]", b" ", text[:begin]) + join_sections(text, (begin, end), called)
 
 
 def _program(text: bytes, spans: list[tuple[int, int]]) -> int:

@@ -19,6 +19,7 @@ from .findings import in_file, language_finding, point_findings, up_to_end
 from .heidenhain_cycles import diameters
 from .lines import Assumed, Lines, by_least_increment, without_dwells
 from .of_machine import OfMachine
+from .polar_mode import without_polar_mode
 from .shifts import shift_words
 from .siemens_holes import holes_written_out
 from .words import Words, language_of, read_words
@@ -61,8 +62,8 @@ def read_source(
         findings += point_findings(lines)
     source = Source(grammar, lines, whole.findings + in_file(words, findings), whole.cause)
     expansions: tuple[Expansion, ...] = (
-        shift_words, name_quadratic_splines, name_inclinations, partial(turn_arcs, controller=controller),
-        partial(write_out_cycles, controller=controller),
+        without_polar_mode, shift_words, name_quadratic_splines, name_inclinations,
+        partial(turn_arcs, controller=controller), partial(write_out_cycles, controller=controller),
     )  # fmt: skip
     if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then
         expansions = holes_written_out, shift_words

@@ -177,7 +177,9 @@ def read_words(
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
     folders = () if fanuc else of_machine.search
-    expanded = _run(text, marks, language, fanuc, findings, progress, folders) if marks else (text, source)
+    expanded = text, source
+    if marks:
+        expanded = _run(text, marks, language, fanuc, findings, progress, folders, source)
     words = _words_of(*expanded)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
@@ -217,7 +219,7 @@ def _blank_non_words(
         )
     text = _blank_comments(text, language)
     whole = without_preface(text.translate(CLEAN), language, findings)
-    text = between_marks(whole, findings)
+    text = between_marks(whole, findings, language)
     if language == "heidenhain":
         text = with_unit(whole, text)
     text, passed = pass_over(text, language, of_machine.no_motion)
@@ -273,11 +275,11 @@ def _jumps_by_m99(words: Words) -> bool:
 
 def _run(
     text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress,
-    folders: Sequence[str] = (),
+    folders: Sequence[str] = (), source: Ints | None = None,
 ) -> tuple[bytes, Ints | None]:  # fmt: skip
     """Return the text as the control comes to its lines, and the lines of the file that these are; where they
     are not understood, blanks for the lines that hold one of the ``marks``, with a finding. ``folders``:
-    where LinuxCNC's subprograms lie."""
+    where LinuxCNC's subprograms lie; ``source``: the lines of the file, where the text was written out."""
     if language == "iso":
         expanded = _run_with_files(text, fanuc, progress, folders)
         if isinstance(expanded, interpreter.Written):
@@ -292,8 +294,9 @@ def _run(
     hit = _lines_with(text, marks)
     shown = b" ".join(text.split(b"\n")[hit[0]].split())[:40].decode("latin-1")
     sentence = MACROS.say(count=len(hit), shown=repr(shown))
-    findings.append(report_finding(codes.MACRO[0], sentence, float(len(hit)), line=hit[0] + 1, unit=""))
-    return _blank_lines(text, hit), None
+    found = report_finding(codes.MACRO[0], sentence, float(len(hit)), line=hit[0] + 1, unit="")
+    findings.append(relocate_finding(found, source))
+    return _blank_lines(text, hit), source
 
 
 def _run_with_files(
