@@ -68,7 +68,8 @@ def _wind(ways: Ways, low: float, high: float) -> tuple[Ways, Ints]:
         return _wind_end(ways, low, high), np.arange(len(count))
     way = np.repeat(np.arange(len(count)), count)
     turn = least[way] + np.arange(len(way)) - np.repeat(np.cumsum(count) - count, count)
-    return Ways(ways.words[way] + TURN * turn[:, None], *(part[way] for part in ways[1:])), way
+    words = ways.words[way] + TURN * turn[:, None]
+    return Ways(words, ways.ends[way], ways.branch[way], ways.worse[way]), way
 
 
 def _wind_end(ways: Ways, low: float, high: float) -> Ways:

@@ -58,6 +58,8 @@ def begin_rings_within_limits(context: MillContext, solved: SolvedJoints) -> Sol
         if _turns_back(other) < _turns_back(best) and (change is not _chain_rings or _is_worth(other, best)):
             spared[code] = (spared.get(code, (best.joints, best.joints))[0], other.joints)
             best = other
+        elif change is _chain_rings:
+            break  # the next would be the same
     found = [REPORTS[code](context, *joints) for code, joints in spared.items()]
     return replace(best, joints=replace(best.joints, findings=(*best.joints.findings, *found)))
 
