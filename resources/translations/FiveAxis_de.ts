@@ -4920,16 +4920,12 @@
         <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen.</translation>
     </message>
     <message>
-        <source>Closed passes begin where {letter} has room for their whole turn within its limits: inside cuts it turns back {after} instead of {before} times.</source>
-        <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für die ganze Umdrehung hat: mitten im Schnitt dreht sie {after}-mal zurück statt {before}-mal.</translation>
+        <source>Closed passes begin where {letter} has room for them within its limits.</source>
+        <translation>Geschlossene Bahnen beginnen dort, wo {letter} innerhalb seiner Grenzen Platz für sie hat.</translation>
     </message>
     <message>
-        <source>Closed passes begin where {letter} has room for their whole turn within its limits: it turns back {after} instead of {before} times.</source>
-        <translation>Geschlossene Bahnen beginnen, wo {letter} innerhalb ihrer Grenzen Platz für eine ganze Drehung hat: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
-    </message>
-    <message>
-        <source>Closed passes run by turns one way round and the other, so that {letter} goes to and fro within its limits: it turns back {after} instead of {before} times.</source>
-        <translation>Geschlossene Bahnen laufen abwechselnd herum und andersherum, so dass {letter} innerhalb ihrer Grenzen hin und her geht: Sie dreht {after}-mal statt {before}-mal zurück.</translation>
+        <source>Closed passes run by turns one way round and the other, so that {letter} goes to and fro within its limits.</source>
+        <translation>Geschlossene Bahnen laufen abwechselnd in der einen und der anderen Richtung um, sodass {letter} innerhalb seiner Grenzen hin- und hergeht.</translation>
     </message>
     <message>
         <source>Cutter's flank in the way ({area}): its end fits, what is above it does not, as under an overhang; a smaller radius need not help, a lollipop or another setup may.</source>
@@ -9620,6 +9616,10 @@
         <translation>{at} im Maschinensystem, die tragenden Achsen auf null</translation>
     </message>
     <message>
+        <source>{begin} {text}</source>
+        <translation>{begin} {text}</translation>
+    </message>
+    <message>
         <source>{blocks} more of {letter} than it can: at most NC line {line}, {commanded_rate}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
         <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {commanded_rate}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
@@ -10302,6 +10302,38 @@
     <message>
         <source>{letter} names no axis; use X Y Z and up to two of A B C</source>
         <translation>{letter} benennt keine Achse; X Y Z und bis zu zwei von A B C nehmen</translation>
+    </message>
+    <message>
+        <source>{letter} no longer turns back inside a cut, as it had to once.</source>
+        <translation>{letter} dreht nicht mehr innerhalb eines Schnitts zurück, wie zuvor einmal nötig.</translation>
+    </message>
+    <message>
+        <source>{letter} no longer turns back inside cuts, as it had to {count} times.</source>
+        <translation>{letter} dreht nicht mehr innerhalb von Schnitten zurück, wie zuvor {count}-mal nötig.</translation>
+    </message>
+    <message>
+        <source>{letter} no longer turns back, as it had to once.</source>
+        <translation>{letter} dreht nicht mehr zurück, wie zuvor einmal nötig.</translation>
+    </message>
+    <message>
+        <source>{letter} no longer turns back, as it had to {count} times.</source>
+        <translation>{letter} dreht nicht mehr zurück, wie zuvor {count}-mal nötig.</translation>
+    </message>
+    <message>
+        <source>{letter} turns back inside a cut once instead of {before} times.</source>
+        <translation>{letter} dreht innerhalb eines Schnitts einmal statt {before}-mal zurück.</translation>
+    </message>
+    <message>
+        <source>{letter} turns back inside cuts {count} instead of {before} times.</source>
+        <translation>{letter} dreht innerhalb von Schnitten {count}- statt {before}-mal zurück.</translation>
+    </message>
+    <message>
+        <source>{letter} turns back once instead of {before} times.</source>
+        <translation>{letter} dreht einmal statt {before}-mal zurück.</translation>
+    </message>
+    <message>
+        <source>{letter} turns back {count} instead of {before} times.</source>
+        <translation>{letter} dreht {count}- statt {before}-mal zurück.</translation>
     </message>
     <message>
         <source>{letter} turns the head, and it is for tables alone</source>

@@ -183,7 +183,8 @@ def test_rings_round_a_prism_run_to_and_fro_and_the_axis_turns_back_no_more(tmp_
     np.testing.assert_allclose(tip, result.joints.path.tip, rtol=0.0, atol=2e-4)
     assert not [one for one in job.prove(result).findings if one.severity == Severity.ERROR]
     assert "rings-reversed" not in codes(make(order="one_way"))
-    monkeypatch.setattr(begin_rings, "_reverse_rings", lambda context, solved: None)
+    for change in ("_reverse_rings", "_chain_rings"):
+        monkeypatch.setattr(begin_rings, change, lambda context, solved: None)
     before = make()
     assert before.joints.rewinds > 3 * result.joints.rewinds
     assert np.degrees(np.abs(np.diff(before.joints.q[:, 3])).sum()) > 1.2 * np.degrees(
@@ -207,6 +208,21 @@ def test_reversed_rings_are_the_same_segments_the_other_way_round():
         -2.0 * math.pi
     )
     assert find_turn(np.sin(word)) == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "text"),
+    [
+        (1, 0, "C no longer turns back, as it had to once."),
+        (5, 0, "C no longer turns back, as it had to 5 times."),
+        (5, 1, "C turns back once instead of 5 times."),
+        (5, 2, "C turns back 2 instead of 5 times."),
+    ],
+)
+def test_what_rings_spare_is_put_in_plain_words(before, after, text):
+    assert begin_rings._say_times(after, before, "C") == text
+    inside = begin_rings._say_inside(after, before, "C")
+    assert "0" not in inside and "1 times" not in inside and inside.startswith("C ")
 
 
 def test_rings_all_one_way_turn_back_between_them_only(tmp_path):

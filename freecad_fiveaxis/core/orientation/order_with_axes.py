@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, take_rows
-from freecad_fiveaxis.core.passes.piece_order import find_better_tour, tour_rows
+from freecad_fiveaxis.core.passes.piece_order import Tour, find_better_tour, tour_rows
 from freecad_fiveaxis.core.toolpath.coedge import ROW_COLUMNS, OffsetPath
 
 LEVER = 30.0
@@ -27,8 +27,27 @@ def order_with_axes(path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]
     last = np.append(first[1:], len(path.point)) - 1
     pose = np.hstack([path.point, LEVER * axis])
     tour = find_better_tour(np.stack([pose[first], pose[last]], axis=1)) if len(first) > 1 else None
-    if tour is None:
-        return path, axis
+    return (path, axis) if tour is None else take_tour(path, axis, tour)
+
+
+def order_by_time(path: OffsetPath, axis: Floats, when: Ints) -> tuple[OffsetPath, Floats]:
+    """Give the polylines, and the ``axis`` (n, 3) of the rows, in the order of the least ``when`` (n,) of
+    each, open ones the way round in which it mostly grows; closed ones run as they do."""
+    edge = np.flatnonzero(np.diff(path.polyline, prepend=-1, append=-1))
+    first, last = edge[:-1], edge[1:] - 1
+    begins = np.array([when[one : to + 1].min() for one, to in zip(first, last, strict=True)])
+    grows = np.array(
+        [np.sign(np.diff(when[one : to + 1])).sum() for one, to in zip(first, last, strict=True)]
+    )
+    back = (grows < 0) & (path.point[first] != path.point[last]).any(axis=1)
+    order = np.argsort(begins, kind="stable")
+    return take_tour(path, axis, Tour(order, back[order]))
+
+
+def take_tour(path: OffsetPath, axis: Floats, tour: Tour) -> tuple[OffsetPath, Floats]:
+    """Return the polylines and the ``axis`` (n, 3) of their rows as the tour takes them."""
+    first = np.flatnonzero(np.diff(path.polyline, prepend=-1))
+    last = np.append(first[1:], len(path.point)) - 1
     rows, piece, back = tour_rows(first, last, tour)
     return _arrange_rows(path, rows, piece, back), take_rows(axis, rows)
 

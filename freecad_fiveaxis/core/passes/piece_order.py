@@ -53,7 +53,7 @@ def order_pieces(contact: ContactPath) -> ContactPath:
     first = np.flatnonzero(np.diff(contact.polyline, prepend=-1))
     last = np.append(first[1:], len(contact.point)) - 1
     tour = find_better_tour(np.stack([contact.point[first], contact.point[last]], axis=1))
-    return contact if tour is None else _arrange_pieces(contact, first, last, tour)
+    return contact if tour is None else arrange_pieces(contact, first, last, tour)
 
 
 def find_better_tour(ends: Floats) -> Tour | None:
@@ -138,7 +138,7 @@ def _best_turn(leaves: Floats, enters: Floats, i: int) -> tuple[int, float]:
     return best + 1, float(now[best] - new[best])
 
 
-def _arrange_pieces(contact: ContactPath, first: Ints, last: Ints, tour: Tour) -> ContactPath:
+def arrange_pieces(contact: ContactPath, first: Ints, last: Ints, tour: Tour) -> ContactPath:
     """Return the rows of the polylines in the order of the tour."""
     row, piece, _ = tour_rows(first, last, tour)
     columns = {name: getattr(contact, name)[row] for name in ("point", "normal", "face", "coedge", "pass_")}

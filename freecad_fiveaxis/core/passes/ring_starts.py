@@ -58,12 +58,28 @@ def _steps(word: Floats) -> Floats:
 def _margins(way: Floats, count: int, low: float, high: float) -> Floats:
     """Return the margin (count,) of ``count`` words from each row on, of a ring's words unwound twice round
     (2 count,)."""
-    ahead = -(count // 2)  # the window begins at the row, and is not centred on it
-    most = scipy.ndimage.maximum_filter1d(way, count, origin=ahead)[:count]
-    least = scipy.ndimage.minimum_filter1d(way, count, origin=ahead)[:count]
+    least, most = _ranges(way, count)
     off = 0.5 * (low + high) - 0.5 * (most + least)
     off -= TURN * np.rint(off / TURN)
     return np.asarray(0.5 * (high - low) - 0.5 * (most - least) - np.abs(off))
+
+
+def _ranges(way: Floats, count: int) -> tuple[Floats, Floats]:
+    """Return the least and the most (count,) of ``count`` words from each row on, of the same."""
+    ahead = -(count // 2)  # the window begins at the row, and is not centred on it
+    most = scipy.ndimage.maximum_filter1d(way, count, origin=ahead)[:count]
+    least = scipy.ndimage.minimum_filter1d(way, count, origin=ahead)[:count]
+    return least, most
+
+
+def unwind_ring(word: Floats) -> tuple[Floats, float]:
+    """Return the words (n, 4), rad, of a closed polyline begun at each of its rows: the first, the last, the
+    least and the most of them, unwound; and how far it turns the axis. ``word`` (n,) but for whole turns."""
+    step = _steps(word)
+    net = float(step.sum())
+    way = word[0] + np.concatenate([[0.0], np.cumsum(step[:-1])])
+    ranges = _ranges(np.concatenate([way, way + net]), len(way))
+    return np.stack([way, way + net, *ranges], axis=1), net
 
 
 def begin_at(contact: ContactPath, closed: Ints, start: Ints) -> ContactPath:

@@ -45,9 +45,9 @@ need."""
 POLE_ANGLE = math.radians(0.5e-4)
 """So near to the pole (rad) the axis is taken as the pole: half a step of a rotary word with four decimals of
 a degree."""
-BETWEEN = 0.5
+BETWEEN = 0.4
 """Weight of a break between two cuts: the tool leaves the part there anyway, and no mark stays. Two of them
-are no worse than one inside a cut."""
+are better than one inside a cut."""
 SLACK = 1e-9
 """Rounding allowed to a word at its limit, rad: far below any controller's step."""
 PREFER_ZERO = 1e-9
