@@ -105,7 +105,7 @@ def plain(text: bytes, notes: Notes) -> bytes:
     stays where it is."""
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
-    text = RETRACT.sub(lambda found: _note_word(found, codes.HOME, notes), text) if b"M140" in text else text
+    text = RETRACT.sub(lambda found: _retract(found, notes), text) if b"M140" in text else text
     text = without_words_of_m(feeds_of_tools(text, notes), notes)
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
     text = SAME_SIDE.sub(_blank, text)
@@ -166,6 +166,11 @@ def _blank(found: re.Match[bytes]) -> bytes:
 def _note_word(found: re.Match[bytes], kind: codes.Kind, notes: Notes) -> bytes:
     notes.note(kind, b" ".join(found[0].split()).decode("latin-1"), found.start())
     return b" " * len(found[0])
+
+
+def _retract(found: re.Match[bytes], notes: Notes) -> bytes:
+    """Return M140 without its way and its F: the tool is no longer where the program knows it."""
+    return b"M140" + _note_word(found, codes.HOME, notes)[4:]
 
 
 def _centre(found: re.Match[bytes], notes: Notes) -> bytes:
