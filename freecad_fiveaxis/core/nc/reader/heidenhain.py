@@ -17,6 +17,7 @@ from __future__ import annotations
 import re
 
 from . import codes
+from .heidenhain_changes import HEAD, read_change
 from .heidenhain_feeds import (
     BY_TOOL,
     UNKNOWN_FEED,
@@ -191,6 +192,10 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
         notes.note(codes.SHIFT, "REFPNT CENTER-CENTER", found.start(1))
     if line.startswith(b"PLANE "):
         return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
+    if HEAD.match(line.decode("latin-1")):
+        return before + b" " * len(found[1])
+    if change := read_change(line.decode("latin-1")):
+        return before + notes.tilt(change).ljust(len(found[1]))
     if shift := SHIFT.match(line):
         return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))
     if line.startswith((b"TOOL CALL", b"CYCL DEF 247")):
