@@ -80,7 +80,7 @@ def plane_findings(
     axis = tool_axes(kinematics, words)
     return (
         _vectors_in_planes(planes, motions)
-        + _guided_in_scale(planes, motions)
+        + _find_guide_in_scale(planes, motions)
         + _off_normal(planes, blocks, axis)
         + _opposite(planes, blocks, axis)
     )
@@ -96,7 +96,7 @@ def _vectors_in_planes(planes: Planes, motions: Moves) -> list[Finding]:
     return [report_refusal(name, reason, int(motions.at[both.argmax()]))]
 
 
-def _guided_in_scale(planes: Planes, motions: Moves) -> list[Finding]:
+def _find_guide_in_scale(planes: Planes, motions: Moves) -> list[Finding]:
     """Report where the control guides the tip in coordinates that are mirrored or scaled."""
     uneven = np.append(~planes.is_rigid(), False)[np.maximum(motions.meaning - IN_PLANE, -1)]
     both = uneven & motions.on
