@@ -136,6 +136,7 @@ PLANE = "PLANE SPATIAL SPA+0 SPB+0 SPC+30 STAY\n"
         (STRETCH.format("X2") + "L X+0 Y+0 F100\nCR X+10 Y+10 R+10 DR-\n", "CYCL DEF 26", "unlike factors", 6),
         (STRETCH.format("X2") + "L X+0 Y+5 F100\nRND R1\nL X+9\n", "CYCL DEF 26", "unlike factors", 5),
         ("CC X+10 Y+0\n" + TURNED + "L X+0 Y+0 F100\nC X+10 Y+10 DR-\n", "CC", "give CC again", 7),
+        (TURNED + "M128\nLN X+1 Y+2 Z+3 TX+0.1 TY+0 TZ+0.99 F100\nM129\n", "LN", "by vectors", 6),
         (MIRROR.format("X") + "M128\nL X+9 A+5 F100\n", "CYCL DEF 8", "guides the tip", 6),
     ],
 )  # fmt: skip
@@ -166,3 +167,19 @@ def test_holes_turn_with_the_coordinates_and_are_named_where_these_are_mirrored_
         assert any("CYCL DEF 200 is not written out" in one for one in named(klartext(DRILLED.format(frame))))
     for frame in (MIRROR.format("X") + MIRROR.format(""), SCALE.format("SCL 0.5") + SCALE.format("SCL 1")):
         assert not errors(klartext(DRILLED.format(frame)))
+
+
+BORED = (
+    "; DM=6\nTOOL CALL 1 Z S1000\nL X+10 Y+2 FMAX\n{}CYCL DEF 208 BORE MILLING Q200=2 Q201=-5 Q206=100 Q334=1 Q203=+0 "
+    "Q204=2 Q335=12\n{}L Z+20 FMAX M99\n"
+)
+
+
+@pytest.mark.parametrize("change", [TURNED, SHIFT.format(5, 0), ROT.format("ROT+0")])
+def test_a_bore_about_a_place_from_before_a_change_of_the_coordinates_is_named(change: str) -> None:
+    assert any("X and Y are not told before it" in one for one in named(klartext(BORED.format(change, ""))))
+    program = klartext(BORED.format(change, "L X+10 Y+2 FMAX\n"))
+    assert not errors(program)
+    middle = {TURNED: (-2, 10), SHIFT.format(5, 0): (15, 2)}.get(change, (10, 2))
+    low = program.words[program.words[:, 2] < -4.999, :2] - middle
+    assert np.hypot(*low.T).max() == pytest.approx(3.0)

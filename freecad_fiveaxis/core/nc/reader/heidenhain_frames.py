@@ -5,10 +5,10 @@ They turn no axes: X Y Z are the tip's where the control guides it, else those o
 
 order    the shift of the zero (cycle 7), then in its coordinates the mirror image, in those the rotation,
          then the scalings; each refers to the active zero (Heidenhain TNC 640, cycle programming, coordinate
-         transformation cycles).
-named    where the order in which a program writes them would say something else: a mirror image after a
-         rotation that is on, a shift of the zero within (back to 0 is clear). Beside a tilted plane; an arc
-         about a CC of other coordinates; an arc where its two axes have unlike factors.
+         transformation cycles). Not looked up in a manual: whether the order of the program counts instead.
+named    therefore where the order in which a program writes them would say something else: a mirror image
+         after a rotation that is on, a shift of the zero within (back to 0 is clear). Beside a tilted plane;
+         tool vectors; an arc about a CC of other coordinates, or whose two axes have unlike factors.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes, corners
@@ -44,6 +44,7 @@ SHIFTED_WITHIN = say(
 IN_TILTED = say("a tilted plane is on; end it first")
 OVER_FRAME = say("a mirror image, rotation or scaling is on; end it first")
 OTHER_CENTRE = say("an arc goes about a CC that stands before it; give CC again")
+VECTORS = say("tool axes are told by vectors in it")
 UNLIKE = say("an arc or a rounding lies in a plane whose axes have unlike factors")
 
 
@@ -116,7 +117,8 @@ def replace_changes(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words
             _plane(state, row, tilt)
         else:
             _change(state, row, tilt, tilt.change, int(normal[row]))
-    return _with_frames(words, state), state.findings + _report_arcs(lines, grammar, state)
+    now = _find_frames(state, lines.count)
+    return _with_frames(words, state), [*state.findings, *_report_lost(lines, grammar, state, now)]
 
 
 def _shift(state: _State, row: int, clear: bool) -> None:
@@ -197,22 +199,30 @@ def _find_clearing(lines: Lines) -> Bools:
     return clear
 
 
-def _report_arcs(lines: Lines, grammar: Grammar, state: _State) -> list[Finding]:
-    """Report the first arc, or rounding, that these coordinates lead where nobody knows."""
+def _find_frames(state: _State, count: int) -> Ints:
+    """Return the line (count,) that began the coordinates of each line, 0 where none are on."""
     framed = {row: tilt.turn is not None for row, tilt in state.tilts.items() if tilt is not None}
-    row_of = np.zeros(lines.count, np.int64)
+    row_of = np.zeros(count, np.int64)
     row_of[[row for row, on in framed.items() if on]] = [row for row, on in framed.items() if on]
-    now = row_of[last_of(np.array(list(framed), np.int64), lines.count)]
+    return row_of[last_of(np.array(list(framed), np.int64), count)]
+
+
+def _report_lost(lines: Lines, grammar: Grammar, state: _State, now: Ints) -> list[Finding]:
+    """Report the first line of each kind that these coordinates lead where nobody knows: an arc about another
+    centre, an arc or a rounding that does not stay round, a tool vector."""
     moving = ~np.isnan(lines.columns("XYZ" + "xyz")).all(axis=1) & ~lines.any_of(grammar.no_move)
     arcs = moving & (lines.mode(grammar.motion, codes.NONE) == codes.ARC)
     by_centre = arcs & np.isnan(lines.columns("IJKR")).all(axis=1)
     centre = last_of(np.flatnonzero(~np.isnan(lines.columns(codes.CENTRE)).all(axis=1)), lines.count)
     other = np.flatnonzero(by_centre & (now[centre] != now))
     found = [report_change("CC", OTHER_CENTRE, int(other[0]))] if len(other) else []
+    vectors = np.flatnonzero(~np.isnan(lines.columns(codes.VECTOR)).all(axis=1) & (now > 0))
+    found += [report_change("LN", VECTORS, int(row)) for row in vectors[:1]]
     if corners.LETTER in lines.letters:
         arcs |= ~np.isnan(lines.column(corners.LETTER))
-    plane = lines.mode(codes.PLANES, 0)
-    for row in np.flatnonzero(arcs & (now > 0)).tolist():
+    rows, plane = np.flatnonzero(arcs & (now > 0)), lines.mode(codes.PLANES, 0)
+    _, first = np.unique(3 * now[rows] + plane[rows], return_index=True)
+    for row in rows[np.sort(first)].tolist():
         tilt = state.tilts[int(now[row])]
         if tilt is not None and tilt.turn is not None and not _is_even(tilt.turn[:, AXES[plane[row], :2]]):
             return [*found, report_change("CYCL DEF 26", UNLIKE, row)]
