@@ -6376,6 +6376,14 @@
         <translation>auf einer Maschine lässt sich die Bahn nicht fahren</translation>
     </message>
     <message>
+        <source>a mirror image, rotation or scaling is on, and which comes first is not known; end it first</source>
+        <translation>eine Spiegelung, Drehung oder Skalierung ist aktiv, und was zuerst kommt, ist nicht bekannt; sie zuerst beenden</translation>
+    </message>
+    <message>
+        <source>a mirror image, rotation or scaling is on; end it first</source>
+        <translation>eine Spiegelung, Drehung oder Skalierung ist aktiv; sie zuerst beenden</translation>
+    </message>
+    <message>
         <source>a number with an exponent; write it out</source>
         <translation>eine Zahl mit Exponent; ausschreiben</translation>
     </message>
@@ -6504,6 +6512,10 @@
         <translation>eine geschwenkte Ebene endet mit einer Verschiebung darin, und Bewegungen folgen; zuerst die Verschiebung zurücksetzen</translation>
     </message>
     <message>
+        <source>a tilted plane is on; end it first</source>
+        <translation>eine geschwenkte Ebene ist aktiv; sie zuerst beenden</translation>
+    </message>
+    <message>
         <source>a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference</source>
         <translation>ein Werkzeug anders als in der Tabelle der Steuerung (DL, DR); die Wörter werden ohne den Unterschied genommen, wie sie sind</translation>
     </message>
@@ -6572,6 +6584,14 @@
         <translation>ein Bogen geht nicht durch die Punkte daneben</translation>
     </message>
     <message>
+        <source>an arc goes about a CC that stands before it; give CC again</source>
+        <translation>ein Bogen läuft um einen CC, der davor steht; CC erneut angeben</translation>
+    </message>
+    <message>
+        <source>an arc or a rounding lies in a plane whose axes have unlike factors</source>
+        <translation>ein Bogen oder eine Rundung liegt in einer Ebene, deren Achsen ungleiche Faktoren haben</translation>
+    </message>
+    <message>
         <source>an axis is passed over: the machine file says that it moves nothing</source>
         <translation>eine Achse wird übergangen, sie bewegt laut Maschinendatei nichts</translation>
     </message>
@@ -6610,6 +6630,10 @@
     <message>
         <source>another cutter is used than the file names</source>
         <translation>es wird ein anderer Fräser benutzt, als die Datei nennt</translation>
+    </message>
+    <message>
+        <source>another of them is on, and which comes first is not known; end that one first</source>
+        <translation>eine andere ist aktiv, und welche zuerst kommt, ist nicht bekannt; diese zuerst beenden</translation>
     </message>
     <message>
         <source>another plane is on; end it first</source>
@@ -7276,6 +7300,10 @@
         <translation>es ruft mehr als {most} Programme auf</translation>
     </message>
     <message>
+        <source>it changes a rotary axis, or one beside X, Y and Z</source>
+        <translation>sie ändert eine Drehachse oder eine neben X, Y und Z</translation>
+    </message>
+    <message>
         <source>it defines entities of its own, which are not read; write it without &lt;!DOCTYPE</source>
         <translation>sie definiert eigene Entitäten, die nicht gelesen werden; schreiben Sie sie ohne &lt;!DOCTYPE</translation>
     </message>
@@ -7340,6 +7368,10 @@
         <translation>es ist kein Skript; geben Sie das Skript eines Vismach-Modells an</translation>
     </message>
     <message>
+        <source>it is not known in this form</source>
+        <translation>sie ist in dieser Form nicht bekannt</translation>
+    </message>
+    <message>
         <source>it is too tight for the cutter; use a smaller one</source>
         <translation>für den Fräser ist es zu eng; einen kleineren nehmen</translation>
     </message>
@@ -7402,6 +7434,10 @@
     <message>
         <source>its depth lies above R</source>
         <translation>seine Tiefe liegt über R</translation>
+    </message>
+    <message>
+        <source>its factor is 0 or less, or more than 10</source>
+        <translation>ihr Faktor ist höchstens 0 oder größer als 10</translation>
     </message>
     <message>
         <source>its feed is inverse time (G93)</source>
@@ -8560,6 +8596,10 @@
         <translation>die Konfiguration gibt einer Drehachse keine Grenzen</translation>
     </message>
     <message>
+        <source>the control guides the tip in mirrored or scaled coordinates</source>
+        <translation>die Steuerung führt die Spitze in gespiegelten oder skalierten Koordinaten</translation>
+    </message>
+    <message>
         <source>the control shows other positions than it drives</source>
         <translation>die Steuerung zeigt andere Positionen an, als sie fährt</translation>
     </message>
@@ -8582,6 +8622,10 @@
     <message>
         <source>the controller whose language the text was read in</source>
         <translation>die Steuerung, in deren Sprache der Text gelesen wurde</translation>
+    </message>
+    <message>
+        <source>the coordinates are mirrored or scaled (CYCL DEF 8, 11, 26)</source>
+        <translation>die Koordinaten sind gespiegelt oder skaliert (CYCL DEF 8, 11, 26)</translation>
     </message>
     <message>
         <source>the cutter enters the part between passes</source>
@@ -10544,6 +10588,10 @@
         <translation>{name} wird übergangen: Laut Maschinendatei bewegt es nichts (no_motion).</translation>
     </message>
     <message>
+        <source>{name} is taken for X, Y and Z, as a TNC 640 takes it; an iTNC 530 whose MP7410 says so scales the working plane alone. Check it on the control.</source>
+        <translation>{name} wird für X, Y und Z genommen, wie eine TNC 640 ihn nimmt; eine iTNC 530, deren MP7410 es so festlegt, skaliert nur die Bearbeitungsebene. An der Steuerung prüfen.</translation>
+    </message>
+    <message>
         <source>{name} is {value}; give a length above 0</source>
         <translation>{name} ist {value}; eine Länge über 0 angeben</translation>
     </message>
@@ -10674,6 +10722,10 @@
     <message>
         <source>{name}: the sizes {sizes} of its {kind} are not above 0; give others</source>
         <translation>{name}: Die Maße {sizes} seiner Form {kind} sind nicht größer als 0; geben Sie andere an</translation>
+    </message>
+    <message>
+        <source>{name}: this change of the coordinates is not interpreted, and those after it are taken as they were before: {reason}. Post without it.</source>
+        <translation>{name}: diese Änderung der Koordinaten wird nicht ausgewertet, und die folgenden werden wie zuvor genommen: {reason}. Ohne sie ausgeben.</translation>
     </message>
     <message>
         <source>{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they were before: {reason}. Post without it.</source>

@@ -143,3 +143,45 @@ def test_a_feed_after_a_rapid_to_that_axis_is_none(back):
     text = f"G90 G21 G0 X0 Y0 Z10 A0 C0\nG1 Z1 F500\nG53 G0 Z0\n{back}\nM2\n"
     findings = read_nc(text.encode(), TRUNNION, DIALECTS["linuxcnc"]).findings
     assert not [one for one in findings if one.severity is Severity.ERROR]
+
+
+RETRACTED = BEGIN + "L Z+1 F500\nL M140 MB MAX{}\n"
+FEEDS = "L X+60 F500\nL Z+1 F500\nEND PGM A MM\n"
+
+
+@pytest.mark.parametrize("way", ["", " F MAX", " FMAX"])
+def test_a_feed_right_after_a_retract_along_the_tool_is_an_error(way):
+    for text in (RETRACTED.format(way) + FEEDS, RETRACTED.replace("MAX", "50").format(way) + FEEDS):
+        (found,) = [one for one in klartext(text).findings if one.severity is Severity.ERROR]
+        assert found.code == "feed-from-machine-position" and found.line == 9 and "before Z has" in found.text
+
+
+def test_rapids_after_a_retract_along_the_tool_lead_back_from_an_unknown_height():
+    program = klartext(RETRACTED.format("") + BACK + REST)
+    assert program.line.tolist() == [4, 5, 6, 7, 11, 12, 13]
+    assert program.unknown_way.tolist() == [False] * 4 + [True, False, False]
+    assert program.words[4].tolist() == [60, 0, 10, 90, 0]
+    assert not [one for one in program.findings if one.severity is Severity.ERROR]
+
+
+def test_the_words_of_a_retracts_own_block_lead_from_its_end():
+    """The manual's own form: the tool goes back first, then X and Y at F."""
+    text = BEGIN + "L Z+1 F500\nL X+60 Y+5 F500 M140 MB MAX\n{}L Z+1 F500\nEND PGM A MM\n"
+    program = klartext(text.format("L Z+10 FMAX\n"))
+    assert not [one for one in program.findings if one.severity is Severity.ERROR]
+    assert program.words[4].tolist() == [60, 5, 10, 0, 0] and program.unknown_way[4]
+    (found,) = [one for one in klartext(text.format("")).findings if one.severity is Severity.ERROR]
+    assert found.code == "feed-from-machine-position" and found.line == 9
+
+
+@pytest.mark.parametrize(
+    ("before", "axes"), [("L C+30\n", "Z"), ("M128\n", "X, Y, Z"), ("PLANE SPATIAL SPA+0 SPB+0 SPC+30 STAY\n", "X, Y, Z")]
+)  # fmt: skip
+def test_a_retract_loses_all_three_where_they_are_no_words_of_the_axes(before, axes):
+    text = (
+        BEGIN + before + "L X+1 Y+1 Z+1 F500\nL M140 MB MAX\nL Z+50 FMAX\nL C+31 F500\nL Z+1\nEND PGM A MM\n"
+    )
+    found = [one for one in klartext(text).findings if one.code == "feed-from-machine-position"]
+    assert [one.text.split("before ")[1].split(" has")[0] for one in found] == (
+        [] if axes == "Z" else ["X, Y"]
+    )

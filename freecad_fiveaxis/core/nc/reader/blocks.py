@@ -67,7 +67,9 @@ def build_program(
     programmed = in_work(blocks.programmed, meaning, planes)
     words = where_axes_stand(kinematics, programmed, on if planes is None else on | planes.by_tip(meaning))
     guided = _gather_guided(kinematics, words, programmed, on, blocks.vector) if on.any() else None
-    seconds = _seconds(blocks, words, motion, kinematics, dialect, measure)
+    travel = blocks.programmed - blocks.before
+    travel = travel if planes is None else planes.scale_travel(travel, meaning)
+    seconds = _seconds(blocks, travel, words, motion, kinematics, dialect, measure)
     return Program(
         kinematics.letters, words, blocks.feed, blocks.inverse, motion, seconds, np.full(len(motion), -1),
         blocks.at, (), guided, find_wraps(kinematics),
@@ -88,9 +90,10 @@ def _gather_guided(kinematics: Chain, words: Floats, programmed: Floats, on: Boo
     )
 
 
-def _feed_distance(blocks: Blocks, dialect: Dialect | None, measure: Measure | None) -> Floats:
-    """Return what F measures in each block (n,), mm or degrees."""
-    travel = blocks.programmed - blocks.before
+def _feed_distance(
+    blocks: Blocks, travel: Floats, dialect: Dialect | None, measure: Measure | None
+) -> Floats:
+    """Return what F measures in each block (n,), mm or degrees, of its ``travel`` (n, 5)."""
     if measure is not None:
         return measure.distance(travel)
     straight = np.flatnonzero((blocks.unit != 1.0) & travel[:, :3].any(axis=1))
@@ -105,12 +108,12 @@ def _feed_distance(blocks: Blocks, dialect: Dialect | None, measure: Measure | N
 
 
 def _seconds(
-    blocks: Blocks, words: Floats, motion: Bytes, kinematics: Chain, dialect: Dialect | None,
+    blocks: Blocks, travel: Floats, words: Floats, motion: Bytes, kinematics: Chain, dialect: Dialect | None,
     measure: Measure | None,
 ) -> Floats:  # fmt: skip
     """Return the time (n,) s that the controller takes by what the words say; 0 where nothing."""
     feed = blocks.feed
-    distance = np.where(blocks.inverse, 1.0, _feed_distance(blocks, dialect, measure))
+    distance = np.where(blocks.inverse, 1.0, _feed_distance(blocks, travel, dialect, measure))
     known = (feed > 0.0) & ~blocks.per_turn
     minutes = np.divide(distance, feed, out=np.zeros(len(feed)), where=known)
     change = np.diff(words, axis=0, prepend=words[:1])

@@ -49,6 +49,8 @@ KINEMATICS = (121, 131)
 PRESET_ZERO = 920
 LOCAL = 520
 """G52: the zero of the local coordinate system."""
+RETRACT_M = 140
+"""M140 of Heidenhain: back along the tool."""
 DATUM = 540
 """G54 of Heidenhain's DIN/ISO: a datum shift."""
 NO_MOVE = (

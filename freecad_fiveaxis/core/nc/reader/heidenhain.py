@@ -17,6 +17,7 @@ from __future__ import annotations
 import re
 
 from . import codes
+from .heidenhain_changes import HEAD, read_change
 from .heidenhain_feeds import (
     BY_TOOL,
     UNKNOWN_FEED,
@@ -105,7 +106,7 @@ def plain(text: bytes, notes: Notes) -> bytes:
     stays where it is."""
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
-    text = RETRACT.sub(lambda found: _note_word(found, codes.HOME, notes), text) if b"M140" in text else text
+    text = RETRACT.sub(lambda found: _retract(found, notes), text) if b"M140" in text else text
     text = without_words_of_m(feeds_of_tools(text, notes), notes)
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
     text = SAME_SIDE.sub(_blank, text)
@@ -168,6 +169,11 @@ def _note_word(found: re.Match[bytes], kind: codes.Kind, notes: Notes) -> bytes:
     return b" " * len(found[0])
 
 
+def _retract(found: re.Match[bytes], notes: Notes) -> bytes:
+    """Return M140 without its way and its F: the tool is no longer where the program knows it."""
+    return b"M140" + _note_word(found, codes.HOME, notes)[4:]
+
+
 def _centre(found: re.Match[bytes], notes: Notes) -> bytes:
     """CC: the axis letters become those of an absolute centre; an incremental one is not known here."""
     words = found[2]
@@ -186,6 +192,10 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
         notes.note(codes.SHIFT, "REFPNT CENTER-CENTER", found.start(1))
     if line.startswith(b"PLANE "):
         return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
+    if HEAD.match(line.decode("latin-1")):
+        return before + b" " * len(found[1])
+    if change := read_change(line.decode("latin-1")):
+        return before + notes.tilt(change).ljust(len(found[1]))
     if shift := SHIFT.match(line):
         return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))
     if line.startswith((b"TOOL CALL", b"CYCL DEF 247")):

@@ -42,6 +42,7 @@ FREE = (0.0, 99999.0)
 MOST_PECKS = 10_000
 PLACE = re.compile(rf"(?<![A-Z])(I?)([XY]) *([-+]?(?:{NUMBER.pattern}))")
 BLOCK = re.compile(r" *(?:/ *)?(?:LN?|C|CR)(?=[ IXYZABC])(?!.*M9[12])")
+MOVES_COORDINATES = re.compile(r" *(?:/ *)?(?:CYCL +DEF +(?:7|8|10|11|19|26|247)(?![0-9])|PLANE|TRANS)")
 FARTHEST_BACK = 10_000
 DIAMETER = re.compile(rb"\bDM *= *([0-9]+\.?[0-9]*)")
 COMMENT = re.compile(rb" *[0-9]* *(?:[;*].*)?$")
@@ -214,9 +215,12 @@ CYCLES: dict[str, Callable[[dict[str, float], Around], list[str]]] = {
 
 
 def place_before(rows: list[tuple[int, str]]) -> tuple[float, float]:
-    """Find X and Y mm that the rows told last. Raises Unread where they do not."""
+    """Find X and Y mm that the rows told last. Raises Unread where they do not
+    since the coordinates were changed."""
     found, steps = dict[str, float](), {"X": 0.0, "Y": 0.0}
     for _, row in reversed(rows[-FARTHEST_BACK:]):
+        if MOVES_COORDINATES.match(row):
+            break
         for step, letter, value in PLACE.findall(row) if BLOCK.match(row) else ():
             if letter not in found and step:
                 steps[letter] += float(value)

@@ -129,6 +129,7 @@ class Run:
         self.known: dict[str, float] = {}
         self.calls, self.repeats = list[Section](), dict[int, int]()
         self.cycle: Cycle | None = None
+        self.reshaped = set[str]()
         self.feed, self.at, self.ended = "", 0, False
         self.diameters = diameters
         self.diameter: float | None = None
@@ -260,13 +261,22 @@ class Run:
             self._drill()
         else:
             number = OTHER_CYCLE.match(line)
+            if number and number[1] in RESHAPES:
+                self._reshape(number[1], line)
             if number and number[1] not in NEVER_CALLED:
                 self.cycle = None
             self.known.update(words)
             row = self.rows[self.at]
             self.output.append(
-                (self.at, WORD.sub(self._word, row) if number and number[1] == DATUM_SHIFT else row)
+                (self.at, WORD.sub(self._word, row) if number and number[1] in WITH_WORDS else row)
             )
+
+    def _reshape(self, number: str, line: str) -> None:
+        """Note whether coordinates are mirrored or scaled from here on."""
+        if ".1" in line:
+            self.reshaped.discard(number)
+        if ".1" in line and not AS_IT_IS.fullmatch(line):
+            self.reshaped.add(number)
 
     def _old_cycle(self, part: str, rest: str) -> None:
         """Read a line of CYCL DEF 1: 1.0 begins it, the number at the end of the others is a word."""
@@ -304,6 +314,10 @@ class Run:
             reason = say("the tool lies along {axis}, and holes are written along Z alone", axis=self.along)
             self._not_drilled(self.cycle.number, reason)
             return
+        if self.reshaped:
+            reason = say("the coordinates are mirrored or scaled (CYCL DEF 8, 11, 26)")
+            self._not_drilled(self.cycle.number, reason)
+            return
         around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output))
         try:
             rows = write_hole(self.cycle, around)
@@ -324,6 +338,10 @@ class Run:
 
 ALONG = re.compile(r"TOOL +CALL +(?:(?:[0-9.]+|Q[LRS]?[0-9]+) +)?([XYZ])(?![0-9A-Z])")
 """The axis that the tool lies along, as TOOL CALL tells it."""
-DATUM_SHIFT = "7"
+WITH_WORDS = ("7", "8", "10", "11", "26")
+"""Cycles whose words may be parameters."""
+RESHAPES = ("8", "11", "26")
+"""Cycles that mirror or scale: what they make of the moves of a cycle is not known here."""
+AS_IT_IS = re.compile(r"CYCLDEF(?:8\.1|11\.1SCL\+?1\.?0*|26\.1(?:[CXYZ]+\+?1?\.?0*)*)")
 NEVER_CALLED = {"7", "8", "9", "10", "11", "13", "14", "19", "20", "26", "32", "220", "221", "239", "247"}
 """Cycles that work where they are defined, and leave the one that is called as it is."""

@@ -6,6 +6,10 @@ gap       the rapids of that stretch: no blocks, as those of a safe start. The f
           to whose end the way is not known (``Program.unknown_way``).
 feeding   a stretch in which something feeds is no safe way back from the machine's position: its lines stay
           blocks, with the words that they had before, which is an error: the tool is elsewhere.
+retract   Heidenhain's M140 draws the tool back along its axis, to the end of the travel (MB MAX) or so far
+          (MB 50), at the start of its block (TNC 640, Klartext Programming, retraction in the tool axis): the
+          block's own words lead from there. It drives Z alone where X Y Z are those of the axes and the tool
+          lies along Z, else X, Y and Z.
 """
 
 from __future__ import annotations
@@ -19,15 +23,19 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints, take_rows
 from freecad_fiveaxis.core.base.sentences import plural
+from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Guided, Program
 
 from . import codes
-from .positions import ABSOLUTE, NOTHING, SHORTER, AxisWords, Moves
+from .planes import JOINTS
+from .positions import ABSOLUTE, NOTHING, SHORTER, AxisWords, Moves, tool_axes
 from .source import Source
 
 ALL_AXES = (280, 281, 300, 301, 740, 750)
 """Codes that drive all axes where their line names none: G28, G30 and Siemens' G74, G75; G53, M91 and SUPA
 drive what their line names alone."""
+UPRIGHT = 1e-9
+"""How far a tool that lies along Z may leave it, as a sine."""
 
 
 class Gaps(NamedTuple):
@@ -39,11 +47,12 @@ class Gaps(NamedTuple):
     feeding: Bools
 
 
-def find_gaps(source: Source, motions: Moves, axes: AxisWords) -> Gaps:
+def find_gaps(source: Source, motions: Moves, axes: AxisWords, kinematics: Chain) -> Gaps:
     """Find the gaps among the motion lines (m,); ``axes``: the five words in each line of the source and how
     they are meant."""
     at, kind = motions.at, np.column_stack([kind for _, kind in axes])
-    driven = _find_driven(source, kind, int(at[0]))
+    retracts = _find_retracts(source, int(at[0]))
+    driven = _find_driven(source, kind, int(at[0])) | _find_drawn(retracts, motions, kinematics, len(kind))
     if not driven.any():
         none = np.zeros(len(at), np.bool_)
         return Gaps(none, none, np.zeros_like(kind[at], np.bool_))
@@ -56,7 +65,7 @@ def find_gaps(source: Source, motions: Moves, axes: AxisWords) -> Gaps:
     before = np.concatenate([at[:1], at[:-1]])
     fresh: Bools = np.asarray((left > before[:, None]).any(axis=1))
     fresh |= np.concatenate([[False], lost[:-1]])
-    rapid = motions.mode == codes.RAPID
+    rapid = (motions.mode == codes.RAPID) | np.isin(at, retracts)
     unknown: Bools = np.asarray(left > np.concatenate([np.full_like(back[:1], -1), back[:-1]]))
     return Gaps(*_without_feeds(lost, fresh, rapid), unknown & ~rapid[:, None])
 
@@ -91,6 +100,26 @@ def _find_driven(source: Source, kind: Bytes, first: int) -> Bools:
     named: Bools = kind != NOTHING
     whole = lines.any_of(ALL_AXES) & ~named.any(axis=1)
     return going[:, None] & (named | whole[:, None])
+
+
+def _find_retracts(source: Source, first: int) -> Ints:
+    """Return the lines with an M140 after the line ``first``."""
+    if source.grammar.name != "heidenhain":
+        return np.empty(0, np.int64)
+    at = source.lines.m_line((codes.RETRACT_M,))
+    return at[at > first]
+
+
+def _find_drawn(retracts: Ints, motions: Moves, kinematics: Chain, count: int) -> Bools:
+    """Return the axes (count, 5) that these lines drive back along the tool, from where the motion line
+    before leaves it."""
+    drawn = np.zeros((count, 5), np.bool_)
+    row = np.searchsorted(motions.at, retracts) - 1
+    across = np.abs(tool_axes(kinematics, motions.programmed[row])[:, :2]).max(axis=1, initial=0.0)
+    upright = (motions.meaning[row] == JOINTS) & ~motions.on[row] & (across < UPRIGHT)
+    drawn[retracts, 2] = True
+    drawn[retracts, :2] = ~upright[:, None]
+    return drawn
 
 
 def _without_feeds(lost: Bools, fresh: Bools, rapid: Bools) -> tuple[Bools, Bools]:

@@ -104,7 +104,7 @@ def read_in_order(
     moving, turned = find_motion_lines(source, state, kinematics)
     moving, bent = apply_angles(lines, moving)
     motions = find_moves(moving, kinematics, state.planes)
-    gaps = find_gaps(source, motions, state.axes)
+    gaps = find_gaps(source, motions, state.axes, kinematics)
     feeds, without_feed = find_feeds(source, motions)
     unknown, of_codes = code_findings(words, grammar, motions.at[~gaps.inside])
     chords, sharp = divide_moves(source, motions)

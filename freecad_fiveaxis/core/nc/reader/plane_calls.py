@@ -56,6 +56,18 @@ POLE_STATES = (0, 100_000, 200_000)
 same."""
 
 
+@dataclass(frozen=True)
+class Change:
+    """What a line of Heidenhain's ``cycle`` 8, 10, 11 or 26 says: ``factors`` of X, Y and Z, ``angle`` deg,
+    ``on`` from the one before; ``about`` (3,) in the program's unit."""
+
+    cycle: str
+    factors: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    angle: float = 0.0
+    on: bool = False
+    about: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
 @dataclass(frozen=True, eq=False)
 class Tilt:
     """``turn`` (3, 3): the plane's axes as columns, None where the plane ends; ``origin`` (3,) in the
@@ -64,7 +76,7 @@ class Tilt:
     rotary words are 0; ``relative``: on from the plane that is on; ``away``: it draws the tool back before;
     ``table``: a free axis of the table turns with the plane; ``refused``: why it is not understood; ``name``:
     how it is called; ``frame``: coordinates alone, of the tip where the control guides it, else of the
-    axes."""
+    axes; ``change``: no plane, but what :mod:`.heidenhain_frames` makes one of."""
 
     rule: str
     turn: Floats | None = None
@@ -80,6 +92,7 @@ class Tilt:
     refused: str = ""
     name: str = ""
     frame: bool = False
+    change: Change | None = None
 
 
 def beyond(values: Sequence[float]) -> str:

@@ -97,7 +97,22 @@ class Planes:
     def in_plane(self, place: Floats, meaning: int) -> Floats:
         """Return the other way round, for one place (3,)."""
         k = meaning - IN_PLANE
-        return np.asarray(self.turn[k].T @ (place - self.origin[k]))
+        if self.is_rigid()[k]:
+            return np.asarray(self.turn[k].T @ (place - self.origin[k]))
+        return np.asarray(np.linalg.solve(self.turn[k], place - self.origin[k]))
+
+    def is_rigid(self) -> Bools:
+        """Whether each plane (k,) is turned alone, neither mirrored nor scaled."""
+        square = np.einsum("nji,njk->nik", self.turn, self.turn)
+        kept = np.isclose(square, np.eye(3), atol=1e-9).all(axis=(1, 2))
+        return np.asarray(kept & (np.linalg.det(self.turn) > 0.0))
+
+    def scale_travel(self, travel: Floats, meaning: Ints) -> Floats:
+        """Return the travel (m, 5) as it is in the work where X Y Z are scaled."""
+        rows = np.flatnonzero(self._of(~self.is_rigid(), meaning))
+        travel = travel.copy()
+        travel[rows, :3] = np.einsum("nij,nj->ni", self.turn[meaning[rows] - IN_PLANE], travel[rows, :3])
+        return travel
 
 
 def planes_of(
@@ -248,6 +263,17 @@ def report_refusal(name: str, reason: str, row: int) -> Finding:
     text = say(
         "{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were "
         "before: {reason}. Post it another way, or post without planes.",
+        name=name,
+        reason=reason,
+    )
+    return report_finding(codes.SHIFT[0], text, line=row)
+
+
+def report_change(name: str, reason: str, row: int) -> Finding:
+    """Return which change of the coordinates is not interpreted, in the line of index ``row``."""
+    text = say(
+        "{name}: this change of the coordinates is not interpreted, and those after it are taken as they "
+        "were before: {reason}. Post without it.",
         name=name,
         reason=reason,
     )

@@ -29,7 +29,7 @@ from .arcs import AXES
 from .codes import Grammar
 from .findings import shift_finding
 from .lines import Lines, last_of
-from .plane_calls import FANUC, SIEMENS, TURN, Tilt
+from .plane_calls import FANUC, HEIDENHAIN, SIEMENS, TURN, Tilt
 from .planes import tilts_of
 from .positions import ABSOLUTE, STEP, axis_words
 from .siemens_frames import ROTATED, replace_frames
@@ -46,11 +46,12 @@ LEFT = say("a tilted plane ends with a shift in it, and moves follow; reset the 
 class _Zero:
     """Where the zero is, mm: ``base`` of the untilted system, ``own`` in the plane that is on (``tilted``);
     ``left`` (3,): the axes whose shift in a plane ended with the plane in line ``end``, and was not told
-    again."""
+    again. ``framed``: no plane, but coordinates that stand on ``base`` (:mod:`.heidenhain_frames`)."""
 
     base: Floats = field(default_factory=lambda: np.zeros(3))
     own: Floats = field(default_factory=lambda: np.zeros(3))
     tilted: bool = False
+    framed: bool = False
     left: Bools = field(default_factory=lambda: np.zeros(3, np.bool_))
     end: int = 0
 
@@ -69,7 +70,7 @@ class _Table:
 def shift_words(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
     """Return the words with all shifts put into them, those of the shifts themselves left out. Without any,
     the same object."""
-    kind = _kinds(lines, grammar)
+    kind = find_shift_lines(lines, grammar)
     if np.isnan(kind).all():
         return words, []
     if (kind >= ROTATED).any():
@@ -81,7 +82,11 @@ def shift_words(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, li
         findings += _report_moving_zero(zero, moving, row, grammar)
         if row in tilts:
             _tilt_zero(zero, tilts[row], row)
-        elif reason := _shift_zero(zero, table, row, grammar):
+        if (
+            (row not in tilts or zero.framed)
+            and not np.isnan(kind[row])
+            and (reason := _shift_zero(zero, table, row, grammar))
+        ):
             findings.append(shift_finding(NAMES[grammar.name], reason, row))
         if row in tilts and zero.base.any() and grammar.name != "siemens":
             origins[row] = zero.base
@@ -100,7 +105,8 @@ def _report_moving_zero(zero: _Zero, moving: Ints, row: int, grammar: Grammar) -
     return [shift_finding(NAMES[grammar.name], LEFT, zero.end)]
 
 
-def _kinds(lines: Lines, grammar: Grammar) -> Floats:
+def find_shift_lines(lines: Lines, grammar: Grammar) -> Floats:
+    """Return what each line (lines,) does to the zero, NaN where nothing."""
     kind = lines.column(codes.SHIFTED)
     code = {"iso": codes.LOCAL, "heidenhain": codes.DATUM}.get(grammar.name)
     return kind if code is None else np.where(lines.any_of((code,)), float(NAMED), kind)
@@ -128,6 +134,7 @@ def _tilt_zero(zero: _Zero, tilt: Tilt, row: int) -> None:
     elif zero.own.any():
         zero.left, zero.end = zero.own != 0.0, row
     zero.tilted, zero.own = tilt.turn is not None, np.zeros(3)
+    zero.framed = zero.tilted and tilt.frame and tilt.rule == HEIDENHAIN
 
 
 def _shift_zero(zero: _Zero, table: _Table, row: int, grammar: Grammar) -> str:
@@ -136,13 +143,14 @@ def _shift_zero(zero: _Zero, table: _Table, row: int, grammar: Grammar) -> str:
         return say("it stands in a tilted plane")
     if table.rotary[row]:
         return say("it shifts a rotary axis")
-    before = zero.own if zero.tilted else zero.base
+    in_plane = zero.tilted and not zero.framed
+    before = zero.own if in_plane else zero.base
     kind, named = int(table.kind[row]), table.meant[row] != 0
     on = named & (table.meant[row] != ABSOLUTE) if kind != ON else named
     value = np.where(named, np.nan_to_num(table.value[row]), 0.0)
     zero.left = zero.left & ~(named | (kind in (NONE, WHOLE)))
     after = np.where(on, before + value, np.where(named | (kind in (NONE, WHOLE)), value, before))
-    if zero.tilted:
+    if in_plane:
         zero.own = after
     else:
         zero.base = after

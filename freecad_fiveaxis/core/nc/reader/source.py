@@ -17,6 +17,7 @@ from .codes import Grammar
 from .controller_codes import grammar_of, name_inclinations, name_quadratic_splines, turn_arcs
 from .findings import in_file, language_finding, point_findings, up_to_end
 from .heidenhain_cycles import diameters
+from .heidenhain_frames import replace_changes
 from .lines import Assumed, Lines, by_least_increment, without_dwells
 from .of_machine import OfMachine
 from .polar_mode import without_polar_mode
@@ -62,7 +63,7 @@ def read_source(
         findings += point_findings(lines)
     source = Source(grammar, lines, whole.findings + in_file(words, findings), whole.cause)
     expansions: tuple[Expansion, ...] = (
-        without_polar_mode, shift_words, name_quadratic_splines, name_inclinations,
+        without_polar_mode, replace_changes, shift_words, name_quadratic_splines, name_inclinations,
         partial(turn_arcs, controller=controller), partial(write_out_cycles, controller=controller),
     )  # fmt: skip
     if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from .blocks import Blocks
 from .plane_calls import MOVE
 from .plane_solution import report_solution, report_unreachable, solution
-from .planes import IN_PLANE, Planes, report_refusal
+from .planes import IN_PLANE, Planes, report_change, report_refusal
 from .positions import ABSOLUTE, STEP, AxisWords, Moves, find_wraps, tool_axes, track
 
 OFF_NORMAL = 0.01
@@ -80,6 +80,7 @@ def plane_findings(
     axis = tool_axes(kinematics, words)
     return (
         _vectors_in_planes(planes, motions)
+        + _find_guide_in_scale(planes, motions)
         + _off_normal(planes, blocks, axis)
         + _opposite(planes, blocks, axis)
     )
@@ -93,6 +94,16 @@ def _vectors_in_planes(planes: Planes, motions: Moves) -> list[Finding]:
         return []
     name, reason = say("Tool vectors"), say("tool axes are told by vectors in it")
     return [report_refusal(name, reason, int(motions.at[both.argmax()]))]
+
+
+def _find_guide_in_scale(planes: Planes, motions: Moves) -> list[Finding]:
+    """Report where the control guides the tip in coordinates that are mirrored or scaled."""
+    uneven = np.append(~planes.is_rigid(), False)[np.maximum(motions.meaning - IN_PLANE, -1)]
+    both = uneven & motions.on
+    if not both.any():
+        return []
+    reason = say("the control guides the tip in mirrored or scaled coordinates")
+    return [report_change("CYCL DEF 8, 11, 26", reason, int(motions.at[both.argmax()]))]
 
 
 def _off_normal(planes: Planes, blocks: Blocks, axis: Floats) -> list[Finding]:
