@@ -145,6 +145,19 @@ def test_a_feed_after_a_rapid_to_that_axis_is_none(back):
     assert not [one for one in findings if one.severity is Severity.ERROR]
 
 
+@pytest.mark.parametrize(("before", "errors"), [("", 0), (" C0", 1)])
+def test_axes_that_a_program_never_names_stay_where_they_are_taken(before, errors):
+    """A program of three axes on a machine of five: G28 alone drives all, but its A and C are 0 throughout."""
+    text = f"G90 G21 G0 X0 Y0 Z10{before}\nG1 Z1 F500\nG28\nG0 X60 Y0\nG0 Z10\nG1 Z1\nM2\n"
+    program = read_nc(text.encode(), TRUNNION, DIALECTS["linuxcnc"])
+    found = [one for one in program.findings if one.severity is Severity.ERROR]
+    assert [one.code for one in found] == ["feed-from-machine-position"] * errors
+    if errors:
+        assert "before C has" in found[0].text
+    else:
+        assert program.unknown_way.tolist().index(True) == len(program.line) - 2
+
+
 RETRACTED = BEGIN + "L Z+1 F500\nL M140 MB MAX{}\n"
 FEEDS = "L X+60 F500\nL Z+1 F500\nEND PGM A MM\n"
 

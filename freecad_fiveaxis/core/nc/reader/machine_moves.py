@@ -90,7 +90,8 @@ def feed_findings(gaps: Gaps, motions: Moves, letters: str) -> list[Finding]:
 
 def _find_driven(source: Source, kind: Bytes, first: int) -> Bools:
     """Whether each line (lines, 5) drives an axis to a machine position: those that it names, or of
-    :data:`ALL_AXES` all, after the line ``first`` of the first block."""
+    :data:`ALL_AXES` all that the program names anywhere (others are taken as 0 from begin to end), after the
+    line ``first`` of the first block."""
     lines, grammar = source.lines, source.grammar
     going = lines.any_of(code for code, meant in grammar.codes.items() if meant is codes.HOME)
     going[lines.m_line(grammar.machine_m)] = True
@@ -99,7 +100,7 @@ def _find_driven(source: Source, kind: Bytes, first: int) -> Bools:
     going[: first + 1] = False
     named: Bools = kind != NOTHING
     whole = lines.any_of(ALL_AXES) & ~named.any(axis=1)
-    return going[:, None] & (named | whole[:, None])
+    return going[:, None] & (named | whole[:, None] & named.any(axis=0))
 
 
 def _find_retracts(source: Source, first: int) -> Ints:
