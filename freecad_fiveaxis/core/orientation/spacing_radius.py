@@ -48,10 +48,12 @@ def spacing_radius(
 
     ``keep`` (f,): the facets that are cut. A tool that follows the surface stands alike everywhere; under a
     fixed axis the facet on which the cutter is narrowest counts for all. How the surface bends along the
-    passes counts, too. A ball: its radius.
+    passes counts, too. A ball: its radius; a bull nose that leans freely: its corner's.
     """
     if cutter.touches_as_ball:
         return cutter.radius
+    if strategy == "auto" and cutter.ring > 0.0 < cutter.corner:
+        return max(cutter.corner, 1.001 * scallop)
     if strategy == "from_axis":
         return _radius_around(cutter, mesh, np.flatnonzero(keep), options, scallop)
     travel, normal = np.array((np.cos(angle), np.sin(angle), 0.0)), mesh.normal[keep]
