@@ -35,10 +35,9 @@ def order_by_time(path: OffsetPath, axis: Floats, when: Ints) -> tuple[OffsetPat
     each, open ones the way round in which it mostly grows; closed ones run as they do."""
     edge = np.flatnonzero(np.diff(path.polyline, prepend=-1, append=-1))
     first, last = edge[:-1], edge[1:] - 1
-    begins = np.array([when[one : to + 1].min() for one, to in zip(first, last, strict=True)])
-    grows = np.array(
-        [np.sign(np.diff(when[one : to + 1])).sum() for one, to in zip(first, last, strict=True)]
-    )
+    step = np.sign(np.diff(when, append=when[-1:]))
+    step[last] = 0
+    begins, grows = np.minimum.reduceat(when, first), np.add.reduceat(step, first)
     back = (grows < 0) & (path.point[first] != path.point[last]).any(axis=1)
     order = np.argsort(begins, kind="stable")
     return take_tour(path, axis, Tour(order, back[order]))

@@ -99,3 +99,9 @@ def reverse(contact: ContactPath, closed: Ints) -> ContactPath:
         order[first:behind] = order[first:behind][::-1]
     columns = {name: getattr(contact, name)[order] for name in ("point", "normal", "face", "coedge")}
     return replace(contact, **columns)
+
+
+def find_sense(when: Ints) -> float:
+    """Find whether contacts are cut in their order, 1.0, or a later stage has turned them round, -1.0, as the
+    tour of the pieces does; ``when`` (n,): the rows that cut them. 0.0 where it is neither more."""
+    return float(np.sign(np.sign(np.diff(when)).sum()))

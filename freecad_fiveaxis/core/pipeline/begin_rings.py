@@ -13,13 +13,20 @@ import scipy
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
-from freecad_fiveaxis.core.base.records import Floats, Ints
+from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import plural, say
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.orientation.order_with_axes import order_by_time
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.passes.ring_chain import TURNING
-from freecad_fiveaxis.core.passes.ring_starts import begin_at, find_closed, find_start, find_turn, reverse
+from freecad_fiveaxis.core.passes.ring_starts import (
+    begin_at,
+    find_closed,
+    find_sense,
+    find_start,
+    find_turn,
+    reverse,
+)
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
@@ -132,7 +139,7 @@ def _turn_rings(context: MillContext, solved: SolvedJoints) -> Begun | None:
     if axis is None or not len(closed):
         return None
     low, high = context.kinematics.low[axis], context.kinematics.high[axis]
-    words = _words_at(solved.joints, solved.contact, axis)
+    words = solved.joints.q[_rows_at(solved.joints, solved.contact), axis]
     start = np.array([find_start(words[first:behind], low, high) for first, behind in closed.tolist()])
     if not (start > 0).any():
         return None
@@ -146,21 +153,16 @@ def _reverse_rings(context: MillContext, solved: SolvedJoints) -> Begun | None:
     if axis is None or context.settings.links.order != "zigzag":
         return None
     closed = find_closed(solved.contact, context.keep)
-    words, when = _words_at(solved.joints, solved.contact, axis), _rows_at(solved.joints, solved.contact)
+    when = _rows_at(solved.joints, solved.contact)
+    words = solved.joints.q[when, axis]
     turn = np.array(
-        [find_turn(words[first:behind]) * _sense(when[first:behind]) for first, behind in closed.tolist()]
+        [find_turn(words[first:behind]) * find_sense(when[first:behind]) for first, behind in closed.tolist()]
     )
     begun = np.array([when[first:behind].min() for first, behind in closed.tolist()])
     rings = np.flatnonzero(np.abs(turn) > math.pi)
     rings = rings[np.argsort(begun[rings], kind="stable")] if len(rings) else rings
     wrong = np.sign(turn[rings]) != np.sign(turn[rings[:1]]) * (-1.0) ** np.arange(len(rings))
     return (reverse(solved.contact, closed[rings[wrong]]), Code.RINGS_REVERSED) if wrong.any() else None
-
-
-def _sense(rows: Ints) -> float:
-    """Return 1.0 where contacts are cut in their order, by the ``rows`` (n,) that cut them, and -1.0 where a
-    later stage has turned them round, as the tour of the pieces does."""
-    return float(np.sign(np.sign(np.diff(rows)).sum()))
 
 
 def _wide_axis(context: MillContext) -> int | None:
@@ -176,11 +178,6 @@ def _axis_with_limits(context: MillContext) -> int | None:
     width = context.kinematics.high[3:] - context.kinematics.low[3:]
     limited = np.flatnonzero((width >= TURN) & np.isfinite(width))
     return 3 + int(limited[0]) if len(limited) else None
-
-
-def _words_at(joints: JointPath, contact: ContactPath, axis: int) -> Floats:
-    """Return the word (n,), rad, of one axis at each contact."""
-    return np.asarray(joints.q[_rows_at(joints, contact), axis])
 
 
 def _rows_at(joints: JointPath, contact: ContactPath | OffsetPath) -> Ints:

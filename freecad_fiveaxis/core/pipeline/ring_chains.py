@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.motion.joint_path.branches import POLE_ANGLE, within_
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.passes.piece_order import Tour, arrange_pieces
 from freecad_fiveaxis.core.passes.ring_chain import TURN, Ways, choose_ways
-from freecad_fiveaxis.core.passes.ring_starts import begin_at, find_closed, reverse, unwind_ring
+from freecad_fiveaxis.core.passes.ring_starts import begin_at, find_closed, find_sense, reverse, unwind_ring
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .context import MillContext
@@ -97,7 +97,7 @@ def _order_as_cut(contact: ContactPath, rows: _Rows, edge: Ints) -> ContactPath:
     first, last = edge[:-1], edge[1:] - 1
     spans = [slice(*span) for span in zip(first.tolist(), (last + 1).tolist(), strict=True)]
     order = np.argsort([int(rows.when[span].min()) for span in spans], kind="stable")
-    back = np.array([_backwards(rows, span) for span in spans])
+    back = np.array([find_sense(rows.when[span]) < 0.0 for span in spans])
     return arrange_pieces(contact, first, last, Tour(order, back[order]))
 
 
@@ -145,16 +145,11 @@ def _fill(word: Floats) -> Floats:
     return np.asarray(word[known[np.maximum(np.searchsorted(known, np.arange(len(word)), "right") - 1, 0)]])
 
 
-def _backwards(rows: _Rows, span: slice) -> bool:
-    """Return whether a later stage has turned the contacts round, as the tour of the pieces does."""
-    return bool(np.sign(np.diff(rows.when[span])).sum() < 0)
-
-
 def _ways_along(contact: ContactPath, rows: _Rows, first: int, behind: int) -> tuple[Ways, _Choice]:
     """Return the ways to cut a pass that begins and runs as it does: one on each branch."""
     span = slice(first, behind)
     at = first + np.flatnonzero(rows.cut[span])
-    if _backwards(rows, span):
+    if find_sense(rows.when[span]) < 0.0:
         at = at[::-1]
     branches = _branches(rows, span)
     way = [np.unwrap(_fill(rows.words[branch, at])) for branch in branches]
@@ -181,7 +176,7 @@ def _ways_round(
         branch.append(np.full(len(places), one))
     table, places, branches = np.concatenate(words), np.concatenate(start), np.concatenate(branch)
     swapped = table[:, [1, 0, 2, 3]]
-    table, swapped = (swapped, table) if _backwards(rows, span) else (table, swapped)
+    table, swapped = (swapped, table) if find_sense(rows.when[span]) < 0.0 else (table, swapped)
     back = np.zeros(len(table), np.bool_)
     if to_and_fro:
         table, back = np.concatenate([table, swapped]), np.repeat([False, True], len(places))

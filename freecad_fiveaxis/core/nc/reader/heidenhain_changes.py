@@ -71,7 +71,7 @@ def _scale(rest: str) -> Change | str:
     return Change(SCALE, (factor, factor, factor)) if 0.0 < factor <= LARGEST else FACTOR
 
 
-def _stretch(rest: str) -> Change | str:
+def _scale_axes(rest: str) -> Change | str:
     if not STRETCHED.fullmatch(rest):
         return UNKNOWN
     entries = {name: float(value) for name, value in ENTRY.findall(rest)}
@@ -82,4 +82,4 @@ def _stretch(rest: str) -> Change | str:
     return Change(STRETCH, (x, y, z), about=(u, v, w)) if max(map(abs, (u, v, w))) < 1e7 else UNKNOWN
 
 
-READ = {MIRROR: _mirror, TURN: _turn, SCALE: _scale, STRETCH: _stretch}
+READ = {MIRROR: _mirror, TURN: _turn, SCALE: _scale, STRETCH: _scale_axes}
