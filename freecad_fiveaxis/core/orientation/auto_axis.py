@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from functools import cached_property
 from typing import Any
@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, lean_axis
 from freecad_fiveaxis.core.tool.barrel import Flank
-from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
+from freecad_fiveaxis.core.toolpath.cl_offset import rows_between, seat_normal
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from freecad_fiveaxis.core.toolpath.feed_direction import SHORT, feed_direction
 
@@ -50,6 +50,7 @@ from .axis_field import (
 )
 from .blocked_places import PART, Blocker, choose_places, choose_remedy, find_blockers, name_blocker
 from .facets_with_axis import AxisField
+from .level_bottom import slide_bottoms, stand_level
 
 CLOSE = 1e-6
 """Of a step: rows that much farther apart by rounding are not divided again."""
@@ -144,6 +145,10 @@ def auto_axes(
         return given, free[contacts.contact], _findings(free, contacts, blockers, find_blocking)
     axis = field.at(contacts.point, contacts.mean, progress)
     for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
+        if reacher.cutter.has_level_bottom:
+            level = stand_level(axis, contacts.mean)
+            good = contacts.free(level, free == Free.NONE, tool, tree, progress)
+            axis[good], free[good] = level[good], gained
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
         axis, pulled = _pull_axes(field, contacts, axis, free != Free.NONE, tool, tree, progress)
         free[pulled & (free == Free.NONE)] = gained
@@ -229,14 +234,34 @@ def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
     :func:`auto_axes` take them from whoever asks both."""
     begins = np.ones(len(path.point), np.bool_)
     begins[1:] = np.diff(path.polyline) != 0
-    for column, limit in ((path.point, SHORT), (path.before, 0.0), (path.after, 0.0)):
+    columns = [(path.point, SHORT), (path.before, 0.0), (path.after, 0.0)]
+    level = reacher.cutter.has_level_bottom
+    if level:
+        seat = seat_normal(path, reacher.cutter.ring)
+        columns.append((seat, 1e-9))
+    for column, limit in columns:
         begins[1:] |= (np.abs(column[1:] - column[:-1]) > limit).any(axis=1)
     contact, first = np.cumsum(begins) - 1, np.flatnonzero(begins)
     contact, first = _join_at_seams(path, contact, first)
-    point = path.centre - reacher.cutter.corner * path.normal
-    stand, fits = raise_contacts(reacher, facet_tree(mesh), point, path.normal)
-    mean = facet_mean(path, AxisOptions())[first]
-    return Contacts(path.point[first], path.face[first], first, mean, contact, stand, path.normal, fits)
+    normal = seat if level else path.normal
+    point = path.centre - reacher.cutter.corner * normal
+    stand, fits = raise_contacts(reacher, facet_tree(mesh), point, normal)
+    mean = (seat if level else facet_mean(path, AxisOptions()))[first]
+    return Contacts(path.point[first], path.face[first], first, mean, contact, stand, normal, fits)
+
+
+def slide_path(path: OffsetPath, field: AxisField, mesh: Mesh, reacher: Reacher, progress: Progress) -> OffsetPath:
+    """Slide the contacts of a level bottom that would not be free there."""
+    seat = seat_normal(path, reacher.cutter.ring)
+    point = path.centre - reacher.cutter.corner * seat
+    level = (field.at(path.point, seat, progress) * seat).sum(axis=1) > 0.7
+    rows = np.flatnonzero(level)
+    slide = np.zeros_like(point)
+    tree = facet_tree(mesh)
+    raised, _ = raise_contacts(reacher, tree, point[rows], seat[rows])
+    rows = rows[~are_free(with_way_out(reacher, tree), tree, raised, seat[rows], seat[rows])]
+    slide[rows] = slide_bottoms(with_way_out(reacher, facet_tree(mesh)), facet_tree(mesh), point[rows], seat[rows], progress)
+    return replace(path, point=path.point + slide, centre=path.centre + slide)
 
 
 def _join_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:

@@ -35,7 +35,7 @@ from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, obstacles, 
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.search import find_entries
 from freecad_fiveaxis.core.gouge.swept_motion import still_positions
-from freecad_fiveaxis.core.tool.body import Body, round_piece
+from freecad_fiveaxis.core.tool.body import Body, body_of, round_piece
 
 NODES = 1300
 """Places on the surface, evenly by area."""
@@ -66,6 +66,9 @@ MARGIN = 0.3
 
 RAISED = 0.25
 """Of the corner radius: so far the tool is raised, at most, where the ball itself enters."""
+
+RAISED_LEVEL = 0.12
+"""Of the radius of a level bottom: so far it is raised in a hollow, at most."""
 
 RAISES = 3
 """Times that it is raised: above one facet it may enter another."""
@@ -217,6 +220,8 @@ def raise_contacts(reacher: Reacher, tree: FacetTree, point: Floats, normal: Flo
     they stay."""
     cutter, stand = reacher.cutter, np.array(point, float)
     fits = np.ones(len(point), np.bool_)
+    if cutter.has_level_bottom:
+        return raise_bottoms(reacher, tree, stand, normal), fits
     if cutter.ring > 0.0:
         return stand, fits
     ball, rows, up = (
@@ -233,6 +238,23 @@ def raise_contacts(reacher: Reacher, tree: FacetTree, point: Floats, normal: Flo
         stand[rows] = point[rows] + up[rows, None] * normal[rows]
     fits[rows] = False
     return stand, fits & (up <= RAISED * cutter.corner)
+
+
+def raise_bottoms(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> Floats:
+    """Raise contacts (n, 3) mm of a level bottom along their unit ``normal`` (n, 3), which is its axis, until
+    its rim is out of a hollow: by RAISED_LEVEL of its radius at most; beyond that they stay."""
+    cutter, rows, up = body_of(reacher.cutter), np.arange(len(point)), np.zeros(len(point))
+    most = RAISED_LEVEL * reacher.cutter.radius
+    for _ in range(RAISES + 1):
+        at = point[rows] + up[rows, None] * normal[rows]
+        depth = find_entries(cutter, tree, still_positions(at, normal[rows]), reacher.limit).bound
+        deep = depth > reacher.limit
+        rows, depth = rows[deep], depth[deep]
+        up[rows] += depth
+        up[rows[up[rows] > most]] = np.inf
+        rows = rows[np.isfinite(up[rows])]
+    up[rows] = np.inf
+    return np.asarray(point + np.where(np.isfinite(up), up, 0.0)[:, None] * normal)
 
 
 def with_margin(reacher: Reacher, margin: float = MARGIN) -> Reacher:
@@ -348,11 +370,11 @@ def find_field(
     )
     near = near.reshape(len(nodes.point), -1)[:, 1:]
     weight = agreeing(nodes.normal[:, None], nodes.normal[near])
-    axis, some, strict = (
-        _first_guess(nodes.normal, freedom),
-        freedom.some,
-        np.zeros(len(nodes.point), np.bool_),
-    )
+    some, strict = freedom.some, np.zeros(len(nodes.point), np.bool_)
+    if reacher.cutter.has_level_bottom:
+        from .level_bottom import prefer_level
+        freedom, strict = prefer_level(freedom, nodes.normal)
+    axis = _first_guess(nodes.normal, freedom)
     for _ in range(2):
         axis = _smooth_field(axis, nodes.normal, (near, weight), freedom, strict)
         progress("axis field", 1.0)

@@ -152,7 +152,7 @@ def auto(path: OffsetPath, options: AxisOptions) -> Floats:
     It needs part and machine: here it is only begun, as facet_mean. The correction of that name goes on from
     there (``orientation.axis_corrections``).
     """
-    return facet_mean(path, options)
+    return face_normal(path, options) if options.ring > 0.0 else facet_mean(path, options)
 
 
 def fixed(path: OffsetPath, options: AxisOptions) -> Floats:

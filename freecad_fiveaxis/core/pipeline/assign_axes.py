@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.orientation.auto_axis import (
     find_contacts,
     refine_field,
     select_rows_with_way_out,
+    slide_path,
 )
 from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS
 from freecad_fiveaxis.core.orientation.facets_with_axis import AxisField
@@ -51,7 +52,7 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
     """Give each contact the strategy's tool axis, and leave out the rows that cannot be cut with it."""
     settings, offset, frame, found = context.settings, passes.offset, passes.frame, tuple[Finding, ...]()
     axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
-    offset = replace(offset, middle=settings.tool_axis.tool_axis == FACE_NORMAL)
+    offset = replace(offset, middle=settings.tool_axis.tool_axis == FACE_NORMAL or settings.cutter.cutter.has_level_bottom and context.field is not None)
     if context.frames is not None and frame is not None and len(axis):
         offset, axis, found = select_framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):
@@ -88,6 +89,8 @@ def free_rows(
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
     offset, axis = divide_path(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
+    if cutter.has_level_bottom:
+        offset = slide_path(replace(offset, middle=True), field, context.obstacles, reacher, context.progress)
     stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
     progress("axis field", 0.0)
     contacts = find_contacts(offset, mesh, reacher)
