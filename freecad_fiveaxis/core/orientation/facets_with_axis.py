@@ -44,7 +44,7 @@ from .axis_field import (
 )
 from .blocked_places import PART, Blocker, choose_places, find_blockers
 from .blocking_body import find_blocking_body
-from .level_bottom import slide_bottoms
+from .level_bottom import slide_bottoms, stand_level_where_free
 
 OF_PART, OF_WANTED = say("of the part"), say("of what is to be machined")
 
@@ -125,7 +125,10 @@ def find_axis_field(
     if reacher.cutter.has_level_bottom:
         nodes = replace(nodes, stand=nodes.stand + slide_bottoms(wide, tree, nodes.stand, nodes.normal, progress))
     freedom = find_freedom(nodes, wide, tree, direction, progress)
-    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
+    axis = find_field(nodes, freedom, wide, tree, progress)
+    if reacher.cutter.has_level_bottom:
+        axis = stand_level_where_free(axis, nodes, freedom, wide, tree)
+    return AxisField(nodes, freedom, axis)
 
 
 def select_facets(

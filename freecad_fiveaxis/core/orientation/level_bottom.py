@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 
-from .axis_field import Freedom, are_free, unit
+from .axis_field import Freedom, Nodes, are_free, unit, with_way_out
 
 FLANK = math.sin(math.radians(0.6))
 """Sine: a direction that stands no farther off the surface is along a wall."""
@@ -56,6 +56,18 @@ def stand_level(axis: Floats, normal: Floats) -> Floats:
     along = (axis * normal).sum(axis=1)[:, None]
     flank = unit(axis - along * normal)
     return np.where(along > TO_LEVEL, normal, np.where(np.abs(along) < TO_FLANK, flank, axis))
+
+
+def stand_level_where_free(
+    axis: Floats, nodes: Nodes, freedom: Freedom, reacher: Reacher, tree: FacetTree
+) -> Floats:
+    """Return the axes (n, 3) of nodes, level or along the wall wherever the tool is free so."""
+    level = stand_level(axis, nodes.normal)
+    rows = np.flatnonzero(freedom.some & (np.abs(level - axis).max(axis=1) > 1e-9))
+    good = are_free(with_way_out(reacher, tree), tree, nodes.stand[rows], nodes.normal[rows], level[rows])
+    found = axis.copy()
+    found[rows[good]] = level[rows[good]]
+    return found
 
 
 def slide_bottoms(

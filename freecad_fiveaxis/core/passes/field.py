@@ -63,7 +63,7 @@ class Region:
     apart as the cutter's, at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm
     of a flat. ``covered`` mm: so far from a pass no more than twice the scallop stays on a flat, None: as far
     as that ball leaves it. ``frames``: what sees which of them, for passes that are cut with locked rotary
-    axes."""
+    axes. ``radii`` (f,) mm: of the ball for each facet, None: the same for all."""
 
     mesh: Mesh
     keep: Bools
@@ -73,6 +73,7 @@ class Region:
     progress: Progress = field(default=silent, repr=False)
     frames: Frames | None = None
     covered: float | None = None
+    radii: Floats | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -68,10 +68,10 @@ def frames(vertex: Floats, face: Ints) -> Frames:
 
 
 def scallop_metric(
-    frame: Frames, tensor: Floats, radius: float, flat: float, least: float = FLATTEST
+    frame: Frames, tensor: Floats, radius: Floats | float, flat: Floats | float, least: float = FLATTEST
 ) -> Floats:
     """Return the metric (3, f) 1/mm2 of a ball of ``radius`` mm whose passes stand ``flat`` mm apart on a
-    flat; ``tensor`` (6, f) 1/mm as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r
+    flat, each one for all facets or (f,); ``tensor`` (6, f) 1/mm as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r
     curvature``."""
     xx, yy, zz, xy, yz, zx = tensor
 

@@ -190,8 +190,9 @@ def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
 
 class Ground(NamedTuple):
     """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, their curvature
-    ``tensor`` (6, n), frames, metric and the ``least`` of that; the step on a ``flat``, mm, and how many
-    ``squares`` of a step it has."""
+    ``tensor`` (6, n), frames, metric and the ``least`` of that; the largest step on a ``flat``, mm, and how
+    many ``squares`` of a step it has; ``radius`` (n,) mm of the ball and ``wide`` (n,) mm, the step on a flat,
+    of each facet."""
 
     curve: Floats | None
     rows: Ints
@@ -201,16 +202,24 @@ class Ground(NamedTuple):
     least: float
     flat: float
     squares: float
+    radius: Floats
+    wide: Floats
+
+    @property
+    def fine(self) -> float:
+        """The smallest step on a flat, mm."""
+        return float(self.wide.min(initial=self.flat))
 
 
 class Surface(NamedTuple):
-    """The finer copy of the region, its frames and its metric, the step on a flat, mm, and how far, mm, a
-    place may be from the nearest pass at most."""
+    """The finer copy of the region, its frames and its metric, the largest step on a flat and the smallest,
+    mm, and how far, mm, a place may be from the nearest pass at most."""
 
     copy: Copy
     frame: Frames
     metric: Floats
     flat: float
+    fine: float
     covered: float = math.inf
 
 
@@ -224,7 +233,8 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
         tensor = facet_curvature(mesh)[:, rows]
     least = FLATTEST if region.widest is None else max(FLATTEST, 1.0 / region.widest**2)
     frame = frames(mesh.vertex, mesh.face[rows])
-    metric = scallop_metric(frame, tensor, region.radius, flat, least)
+    radius, wide = _by_facet(region, options, flat, rows)
+    metric = scallop_metric(frame, tensor, radius, wide, least)
     squares = float((frame.area * np.sqrt(metric[0] * metric[2] - metric[1] ** 2)).sum())
     if squares > MOST_SQUARES:
         text = say(
@@ -233,7 +243,16 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
             length=Length(squares * flat, ".3g"),
         )
         raise SettingsError(text, squares * flat)
-    return Ground(curve, rows, tensor, frame, metric, least, flat, squares)
+    return Ground(curve, rows, tensor, frame, metric, least, flat, squares, radius, wide)
+
+
+def _by_facet(region: Region, options: PassOptions, flat: float, rows: Ints) -> tuple[Floats, Floats]:
+    """Return the radius of the ball, mm, and the step on a flat, mm, on each of the facets ``rows`` (n,)."""
+    if region.radii is None or options.scallop is None or options.stepover is not None:
+        return np.full(len(rows), region.radius), np.full(len(rows), flat)
+    radius, height = region.radii[rows], AIM * options.scallop
+    wide = np.minimum(2.0 * np.sqrt(height * (2.0 * radius - height)), flat)
+    return radius, np.maximum(wide, options.least)
 
 
 def make_surface(region: Region, ground: Ground) -> Surface:
@@ -245,7 +264,7 @@ def copy_region(region: Region, ground: Ground) -> Copy:
     """Copy the region, its facets small against the steps."""
     longest = _find_longest(region, ground)
     copy = finer_copy(region.mesh, ground.rows, as_tensor(ground.frame, ground.metric), longest)
-    return replace(copy, bend=BEND * ground.flat, short=SHORT * ground.flat)
+    return replace(copy, bend=BEND * ground.fine, short=SHORT * ground.fine)
 
 
 def _find_longest(region: Region, ground: Ground) -> float:
@@ -272,9 +291,9 @@ def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
     """Measure a copy of the region: its frames, and the metric of the facets in which its own lie."""
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(region.mesh.face), -1)
     place[ground.rows] = np.arange(len(ground.rows))
-    tensor = ground.tensor[:, place[copy.parent]]
-    metric = scallop_metric(frame, tensor, region.radius, ground.flat, ground.least)
-    return Surface(copy, frame, metric, ground.flat, region.covered or math.inf)
+    at = place[copy.parent]
+    metric = scallop_metric(frame, ground.tensor[:, at], ground.radius[at], ground.wide[at], ground.least)
+    return Surface(copy, frame, metric, ground.flat, ground.fine, region.covered or math.inf)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
@@ -324,10 +343,10 @@ def _gaps(
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
     tell(0.1)
     near, normal = _sample_segments(
-        contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat
+        contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.fine
     )
     tell(0.2)
-    near, normal = _thin_points(near, normal, THIN * surface.flat)
+    near, normal = _thin_points(near, normal, THIN * surface.fine)
     if not len(near):
         return np.ones(len(mesh.face), np.bool_)
     tell(0.4)

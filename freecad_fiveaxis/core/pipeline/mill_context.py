@@ -23,12 +23,14 @@ from freecad_fiveaxis.core.orientation.axis_field import MARGIN
 from freecad_fiveaxis.core.orientation.facets_with_axis import (
     OF_PART,
     OF_WANTED,
+    AxisField,
     Whole,
     find_axis_field,
     select_facets,
 )
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
 from freecad_fiveaxis.core.orientation.free_in_frames import stands_in
+from freecad_fiveaxis.core.orientation.spacing_by_facet import radii_by_facet
 from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of, spacing_radius
 from freecad_fiveaxis.core.passes import (
     Region,
@@ -181,7 +183,8 @@ def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
 
 
 def find_region(
-    settings: Settings, mesh: Mesh, keep: Bools, progress: Progress, frames: Frames | None = None
+    settings: Settings, mesh: Mesh, keep: Bools, progress: Progress, frames: Frames | None = None,
+    field: AxisField | None = None,
 ) -> Region:
     """Return the facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart
     as the cutter's. For what is no ball: at most as far apart as on a flat, for beyond that its bottom
@@ -210,6 +213,9 @@ def find_region(
         radius = find_radius(scallop)
         if cutter.barrel is not None:
             interval = flat_interval(radius, min(scallop, 0.5 * radius))
-        region = replace(region, radius=radius, interval=interval, widest=1.0)
+        radii = None
+        if field is not None and cutter.has_level_bottom:
+            radii = radii_by_facet(field, cutter, mesh, keep, radius, scallop)
+        region = replace(region, radius=radius, interval=interval, widest=1.0, radii=radii)
     twice = 2.0 * scallop
     return replace(region, covered=0.5 * flat_interval(find_radius(twice), twice))
