@@ -176,3 +176,84 @@ def test_a_tool_that_differs_from_its_table_is_a_note(reported: str, note: str) 
         and (not note or notes[0].startswith(f"TOOL CALL {note} "))
         and not errors(program)
     )
+
+
+def test_201_reams_down_and_up_at_feed() -> None:
+    program = hole(201, {**LEVELS, "Q206": 150, "Q208": 300})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"] and not errors(program)
+    assert program.feed[3:5].tolist() == [150, 300]
+    assert hole(201, {**LEVELS, "Q206": 150, "Q208": 0}).feed[4] == 150
+    fast = klartext(
+        "5 CYCL DEF 201 R ~\n Q200=2 ~\n Q201=-10 ~\n Q206=150 ~\n Q208= MAX ~\n Q203=1 ~\n Q204=30\nL X+5 Y+6 FMAX M99\n"
+    )
+    assert path(fast)[2:] == ["f 5 6 -9", "r 5 6 3", "r 5 6 31"]
+
+
+@pytest.mark.parametrize(("way", "off"), [(1, "4.8 6"), (2, "5 5.8"), (3, "5.2 6"), (4, "5 6.2")])
+def test_202_goes_off_the_wall_and_back_over_the_middle(way: int, off: str) -> None:
+    program = hole(202, {**LEVELS, "Q206": 150, "Q208": 0, "Q214": way, "Q336": 30})
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 3", "f 5 6 -9", f"f {off} -9", f"f {off} 3", f"r {off} 31", "r 5 6 31",
+    ] and not errors(program)  # fmt: skip
+    still = hole(202, {**LEVELS, "Q206": 150, "Q208": 0, "Q214": 0})
+    assert path(still) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"]
+    assert "Q214" in reason(hole(202, {**LEVELS, "Q206": 150, "Q214": 7}))
+
+
+def test_205_stops_before_the_depth_reached_and_breaks_chips() -> None:
+    words = {**LEVELS, "Q206": 150, "Q202": 4, "Q258": 0.4, "Q259": 0.8, "Q208": 0}
+    program = hole(205, words)
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 3", "f 5 6 -3", "r 5 6 3", "r 5 6 -2.6", "f 5 6 -7", "r 5 6 3", "r 5 6 -6.2", "f 5 6 -9",
+        "f 5 6 3", "r 5 6 31",
+    ] and not errors(program)  # fmt: skip
+    breaks = hole(205, {**words, "Q202": 8, "Q257": 3, "Q256": 0.5})
+    assert path(breaks)[1:] == [
+        "r 5 6 3", "f 5 6 -2", "r 5 6 -1.5", "f 5 6 -5", "r 5 6 -4.5", "f 5 6 -7", "r 5 6 3", "r 5 6 -6.6", "f 5 6 -9",
+        "f 5 6 3", "r 5 6 31",
+    ]  # fmt: skip
+    assert "Q379" in reason(hole(205, {**words, "Q379": 3}))
+    assert "Q256" in reason(hole(205, {**words, "Q257": 3}))
+
+
+def test_206_and_209_tap_at_feed_and_in_steps() -> None:
+    program = hole(206, {**LEVELS, "Q206": 750})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"] and not errors(program)
+    assert program.feed[3:5].tolist() == [750, 750]
+    words = {**LEVELS, "Q239": 1.5, "Q257": 4, "Q256": 0.5, "Q403": 2}
+    program = hole(209, words)
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 3", "f 5 6 -3", "f 5 6 -2.25", "f 5 6 -7", "f 5 6 -6.25", "f 5 6 -9", "f 5 6 3", "r 5 6 31",
+    ] and not errors(program)  # fmt: skip
+    assert program.feed[3:9].tolist() == [750, 750, 750, 750, 750, 1500]
+    out = hole(209, {**words, "Q256": 0})
+    assert path(out)[2:7] == ["f 5 6 -3", "f 5 6 3", "f 5 6 -7", "f 5 6 3", "f 5 6 -9"]
+    assert path(hole(209, {**words, "Q257": 0}))[2:] == ["f 5 6 -9", "f 5 6 3", "r 5 6 31"]
+    assert "speed" in reason(hole(209, words, HEAD.replace("S500", "")))
+
+
+def test_240_centres_by_its_depth_alone() -> None:
+    program = hole(240, {**LEVELS, "Q343": 0, "Q206": 150})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "r 5 6 3", "r 5 6 31"] and not errors(program)
+    assert "Q343" in reason(hole(240, {**LEVELS, "Q343": 1, "Q344": -6, "Q206": 150}))
+
+
+def test_old_tapping_goes_by_steps_from_where_the_tool_stands() -> None:
+    tap = "CYCL DEF 2.0 TAPPING\nCYCL DEF 2.1 SET UP 2\nCYCL DEF 2.2 DEPTH -10\nCYCL DEF 2.3 DWELL 0.5\nCYCL DEF 2.4 F625\n"
+    program = klartext(f"{tap}L X+5 Y+6 Z+2 FMAX M99\n")
+    assert path(program) == ["r 5 6 2", "f 5 6 -10", "f 5 6 2"] and not errors(program)
+    assert program.feed[2:].tolist() == [625, 625]
+    rigid = "CYCL DEF 17.0 RIGID TAPPING\nCYCL DEF 17.1 SET UP 2\nCYCL DEF 17.2 DEPTH -10\nCYCL DEF 17.3 PITCH +1.25\n"
+    program = klartext(f"{rigid}L X+5 Y+6 Z+2 FMAX\nCYCL CALL\n")
+    assert path(program) == ["r 5 6 2", "f 5 6 -10", "f 5 6 2"] and program.feed[2:].tolist() == [625, 625]
+
+
+def test_what_cycles_have_of_their_own_is_mm_in_programs_in_inches() -> None:
+    inch = HEAD.replace(" MM", " INCH")
+    off = hole(202, {**LEVELS, "Q206": 150, "Q214": 3}, inch)
+    assert off.words[4, 0] - off.words[3, 0] == pytest.approx(0.2, abs=1e-4)
+    tap = hole(207, {**LEVELS, "Q239": 0.05}, inch)
+    assert tap.feed[3] == pytest.approx(0.05 * 500 * 25.4)
+    peck = "CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 0.1\nCYCL DEF 1.2 DEPTH -1\nCYCL DEF 1.3 PECKG 0.5\nCYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F30\n"
+    pecked = klartext(f"{peck}L X+5 Y+6 Z+0.1 FMAX M99\n", inch)
+    assert pecked.words[4, 2] - pecked.words[2, 2] == pytest.approx(0.6, abs=1e-4)

@@ -254,7 +254,8 @@ def test_forms_of_heidenhain_that_are_not_known_are_named(plane: str) -> None:
 @pytest.mark.parametrize(
     "call",
     [
-        '1,"T",1,57,0,0,0,9,0,0,0,0,0,1',
+        '1,"T",2,57,0,0,0,9,0,0,0,0,0,1',
+        '1,"T",11,57,0,0,0,9,0,0,0,0,0,1',
         '0,"T",0,64,0,0,0,9,0,0,0,0,0,1',
         '0,"T",0,192,0,0,0,9,0,0,0,0,0,1',
         "A,B",

@@ -27,6 +27,8 @@ from .heidenhain_feeds import (
     without_words_of_m,
 )
 from .noted import Notes
+from .old_working_plane import HEAD as OLD_PLANE
+from .old_working_plane import read_working_plane
 from .plane_calls import heidenhain as plane
 
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
@@ -192,9 +194,10 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
         notes.note(codes.SHIFT, "REFPNT CENTER-CENTER", found.start(1))
     if line.startswith(b"PLANE "):
         return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
-    if HEAD.match(line.decode("latin-1")):
+    words = line.decode("latin-1")
+    if HEAD.match(words) or OLD_PLANE.match(words):
         return before + b" " * len(found[1])
-    if change := read_change(line.decode("latin-1")):
+    if change := read_change(words) or read_working_plane(words):
         return before + notes.tilt(change).ljust(len(found[1]))
     if shift := SHIFT.match(line):
         return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))

@@ -8,7 +8,7 @@ FN 9 to FN 12            IF +Q1 EQU +Q2 GOTO LBL 5: EQU, NE, GT, LT.
 CALL LBL 1               to LBL 0 and back; with REP 3 the section from LBL 1 to the call runs three times
                          more.
 CYCL DEF 200 ...         with CYCL CALL or M99: the drilling cycles of :mod:`.heidenhain_cycles`.
-Q120, Q121, Q122         the axes' words for the last PLANE (:mod:`.plane_parameters`).
+Q120, Q121, Q122         the axes' words for the last PLANE or cycle 19 (:mod:`.plane_parameters`).
 
 One that was never set only the control knows. Sources: Heidenhain TNC 620 and TNC 640, Klartext Programming,
 Q parameters, subprograms and program section repeats.
@@ -27,12 +27,13 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
 
-from .codes import CYCLE_KIND
+from .codes import CYCLE_KIND, INCH
 from .expressions import NUMBER, Unread
 from .heidenhain_cycles import Around, Cycle, place_before, write_hole
 from .heidenhain_formula import Formula
 from .interpreter import BETWEEN, MOST, Refused, Written, deeper, endless, refusal_of
 from .of_machine import NO_MACHINE, OfMachine
+from .old_working_plane import LINE as OLD_PLANE
 from .plane_parameters import NAMES, READS, PlaneParameters
 
 MARK = re.compile(rb"\bFN *[0-9]+ *:|\bQ[LR]?[0-9]+ *=|\bCALL +LBL\b|[-+ ]Q[LR]?[0-9]|\bCYCL +CALL\b|M99")
@@ -44,13 +45,16 @@ SETS = re.compile(r"(?:FN(?:[0-8]|13):)?Q([LR]?[0-9]+)=(.*)")
 JUMP = re.compile(r"FN(9|10|11|12):IF(.*?)(EQU|NE|GT|LT)(.*)GOTOLBL(.*)")
 LABEL = re.compile(r'LBL("[^"]*"|[0-9]+)$')
 CALL = re.compile(r'CALLLBL("[^"]*"|[0-9]+)(?:REP([0-9]+)(?:/[0-9]+)?)?$')
-CYCLE = re.compile(r"CYCLDEF(200|203|207|208|241)(?![0-9.])")
-OLD_CYCLE = re.compile(r"CYCLDEF1\.([0-9])(.*)")
+CYCLE = re.compile(r"CYCLDEF(20[0-35-9]|24[01])(?![0-9.])")
+OLD_CYCLE = re.compile(r"CYCLDEF(1|2|17)\.([0-9])(.*)")
 LAST_NUMBER = re.compile(rf"[-+]?(?:{NUMBER.pattern})$")
 SPEED = re.compile(r"(?<![A-Z0-9])S *([0-9]+\.?[0-9]*)")
 RADIUS = re.compile(r"(?<![A-Z0-9])DR *([-+]?[0-9]+\.?[0-9]*)")
 OTHER_CYCLE = re.compile(r"CYCLDEF([0-9]+)")
 CALLED = re.compile(r"M0*99(?![0-9])")
+IN_INCHES = re.compile(r" *BEGIN +PGM\b.*\bINCH *$")
+FASTEST = "=99999"
+"""How a cycle's feed that is MAX counts (:data:`.heidenhain_cycles.FREE`)."""
 CYCLE_WORD = re.compile(rf"Q([0-9]+)=([-+]?(?:{NUMBER.pattern}))")
 WORD = re.compile(r"(?<![A-Z0-9])([A-Z]+) *([-+]?) *Q([LR]?[0-9]+)(?! *=)")
 NO_WORDS = ("TOOL", "BLK", "FN", "CALL", "SEL", "TCH", "PATTERN", "FUNCTION", "STOP", "QS", "DECLARE")
@@ -131,6 +135,7 @@ class Run:
         self.cycle: Cycle | None = None
         self.reshaped = set[str]()
         self.feed, self.at, self.ended = "", 0, False
+        self.mm = 1.0 / INCH if any(IN_INCHES.match(row) for row in self.rows) else 1.0
         self.diameters = diameters
         self.diameter: float | None = None
         self.speed: float | None = None
@@ -246,13 +251,14 @@ class Run:
     def _cycle(self, line: str) -> None:
         """Read a cycle that is defined or called; those that are not known stay as they are, and are
         named."""
-        words = {name: float(value) for name, value in CYCLE_WORD.findall(self._with_values())}
+        values = self._with_values().replace("=MAX", FASTEST).replace("=FMAX", FASTEST)
+        words = {name: float(value) for name, value in CYCLE_WORD.findall(values)}
         if found := CYCLE.match(line):
             self.cycle = Cycle(found[1], words)
             self.known.update(words)
             self.output.append((self.at, ""))
         elif found := OLD_CYCLE.match(line):
-            self._old_cycle(found[1], found[2])
+            self._old_cycle(found[1], found[2], found[3])
         elif (
             line.startswith("CYCLCALL")
             and not line.startswith(("CYCLCALLPO", "CYCLCALLPA"))
@@ -267,9 +273,11 @@ class Run:
                 self.cycle = None
             self.known.update(words)
             row = self.rows[self.at]
-            self.output.append(
-                (self.at, WORD.sub(self._word, row) if number and number[1] in WITH_WORDS else row)
-            )
+            if number and number[1] in WITH_WORDS:
+                row = WORD.sub(self._word, row)
+            if self.planes and OLD_PLANE.match(row.strip()):
+                self.known.update(self.planes.tilt(row, self.at, self.output))
+            self.output.append((self.at, row))
 
     def _reshape(self, number: str, line: str) -> None:
         """Note whether coordinates are mirrored or scaled from here on."""
@@ -278,10 +286,11 @@ class Run:
         if ".1" in line and not AS_IT_IS.fullmatch(line):
             self.reshaped.add(number)
 
-    def _old_cycle(self, part: str, rest: str) -> None:
-        """Read a line of CYCL DEF 1: 1.0 begins it, the number at the end of the others is a word."""
-        if part == "0" or self.cycle is None or self.cycle.number != "1":
-            self.cycle = Cycle("1")
+    def _old_cycle(self, number: str, part: str, rest: str) -> None:
+        """Read a line of CYCL DEF 1, 2 or 17: 1.0 begins it, the number at the end of the others is a
+        word."""
+        if part == "0" or self.cycle is None or self.cycle.number != number:
+            self.cycle = Cycle(number)
         if part != "0" and (found := LAST_NUMBER.search(rest)):
             self.cycle.words[part] = float(found[0])
         self.output.append((self.at, ""))
@@ -318,7 +327,7 @@ class Run:
             reason = say("the coordinates are mirrored or scaled (CYCL DEF 8, 11, 26)")
             self._not_drilled(self.cycle.number, reason)
             return
-        around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output))
+        around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output), self.mm)
         try:
             rows = write_hole(self.cycle, around)
         except Unread as unread:
@@ -338,7 +347,7 @@ class Run:
 
 ALONG = re.compile(r"TOOL +CALL +(?:(?:[0-9.]+|Q[LRS]?[0-9]+) +)?([XYZ])(?![0-9A-Z])")
 """The axis that the tool lies along, as TOOL CALL tells it."""
-WITH_WORDS = ("7", "8", "10", "11", "26")
+WITH_WORDS = ("7", "8", "10", "11", "19", "26")
 """Cycles whose words may be parameters."""
 RESHAPES = ("8", "11", "26")
 """Cycles that mirror or scale: what they make of the moves of a cycle is not known here."""

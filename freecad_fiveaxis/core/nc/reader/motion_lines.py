@@ -42,7 +42,7 @@ def find_line_states(source: Source, kinematics: Chain) -> tuple[LineState, tupl
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
     dynamic, reports = find_offset_planes(lines, axes, on, kinematics, grammar)
     findings = (*reports, *switch_findings(lines, grammar))
-    planes = planes_of(lines, grammar, dynamic)
+    planes = planes_of(lines, grammar, kinematics, dynamic)
     if planes is not None:
         mode, on = planes.modes(mode, on)
     return LineState(axes, mode, on, planes), findings

@@ -12,12 +12,13 @@ CYCLE800             (FR, "TC", ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, 
                      after the other about axes already turned, zero X1 Y1 Z1 in the plane so turned. MODE:
                      two bits for the axis of each turn, the first lowest (27 = Z Y X, 39, 45, 30, 54, 57 = X
                      Y Z). All angles 0: back to the basic position (Siemens 840D sl, 6FC5398-7CP41, 10.6).
+                     ST with 1 at its end: all of it in the plane that is on ("additive"), from there on.
 
 Not looked up in a manual: DIR 0 leaves the axes, all angles 0 drive them back, the meaning of ST, DIST of
 MOVE; and that Fanuc's angles are about Z, X, Z, as posts write them (FreeCAD CAM's too). Check them on the
 control.
 
-Other forms (three points, projection and axis angles, SYM; ST that adds) are not known here, and named.
+Other forms (three points, projection and axis angles, SYM) are not known here, and named.
 """
 
 from __future__ import annotations
@@ -52,8 +53,9 @@ MOST_ARGUMENTS = 16
 FARTHEST = 1e7
 """mm, deg; a value beyond this is no place of any machine."""
 POLE_STATES = (0, 100_000, 200_000)
-"""ST: a new plane; the hundred thousands say which way the axes take at the pole, where the plane is the
-same."""
+"""ST: the hundred thousands say which way the axes take at the pole, where the plane is the same."""
+ON = 1
+"""ST: its last digit for a plane on from the one that is on, 0 for a new one."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,8 @@ class Tilt:
     rotary words are 0; ``relative``: on from the plane that is on; ``away``: it draws the tool back before;
     ``table``: a free axis of the table turns with the plane; ``refused``: why it is not understood; ``name``:
     how it is called; ``frame``: coordinates alone, of the tip where the control guides it, else of the
-    axes; ``change``: no plane, but what :mod:`.heidenhain_frames` makes one of."""
+    axes; ``change``: no plane, but what :mod:`.heidenhain_frames` makes one of; ``angles`` deg of cycle 19,
+    by their letters (:mod:`.old_working_plane`)."""
 
     rule: str
     turn: Floats | None = None
@@ -93,6 +96,7 @@ class Tilt:
     name: str = ""
     frame: bool = False
     change: Change | None = None
+    angles: tuple[tuple[str, float], ...] = ()
 
 
 def beyond(values: Sequence[float]) -> str:
@@ -201,13 +205,14 @@ def cycle800(inside: str) -> Tilt:
     if why := beyond(value):
         return Tilt(SIEMENS, refused=why)
     state, mode, way = value[2], int(value[3]), int(value[13])
+    on = state % 10 == ON
     order = [(mode >> bits & 3) - 1 for bits in (0, 2, 4)]
-    if state not in POLE_STATES:
+    if state - on not in POLE_STATES:
         return Tilt(SIEMENS, refused=say("{rest} is not known here", rest=f"ST={state:g}"))
     if mode >> 6 or sorted(order) != [0, 1, 2]:
         return Tilt(SIEMENS, refused=say("{rest} is not known here", rest=f"MODE={value[3]:g}"))
     first, second = (value[4], value[5], value[6]), (value[10], value[11], value[12])
-    home = not any(value[7:10])
+    home = not any(value[7:10]) and not on
     turn = one_by_one(order, value[7:10])
     return Tilt(
         SIEMENS,
@@ -217,5 +222,6 @@ def cycle800(inside: str) -> Tilt:
         TURN if way else STAY,
         (way > 0) - (way < 0),
         back=home,
+        relative=on,
         away=value[0] > 0,
     )

@@ -19,11 +19,13 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from . import codes, plane_calls
 from .arcs import AXES
 from .codes import Grammar
 from .lines import Lines, last_of
+from .old_working_plane import settle_meaning
 from .plane_calls import FANUC, HAAS, MOVE, TURN, Tilt
 
 NAMES = {FANUC: "G68.2", plane_calls.SIEMENS: "CYCLE800"}
@@ -116,11 +118,12 @@ class Planes:
 
 
 def planes_of(
-    lines: Lines, grammar: Grammar, dynamic: Mapping[int, Tilt] = MappingProxyType({})
+    lines: Lines, grammar: Grammar, kinematics: Chain, dynamic: Mapping[int, Tilt] = MappingProxyType({})
 ) -> Planes | None:
     """Return the tilted planes of a program; None where it has none. ``dynamic``: those that
     :mod:`.dynamic_offset` knows better."""
-    tilts = dict(sorted({**tilts_of(lines, grammar), **dynamic}.items()))
+    named = {row: settle_meaning(tilt, kinematics) for row, tilt in tilts_of(lines, grammar).items()}
+    tilts = dict(sorted({**named, **dynamic}.items()))
     return _planes(tilts, lines, grammar) if tilts else None
 
 
@@ -205,8 +208,9 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
             findings.append(report_refusal(tilt.name or NAMES[tilt.rule], reason, row))
         elif tilt.turn is not None:
             relative = tilt.relative and now
-            place = before[row] + (np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row]
-            origins.append(origins[now - IN_PLANE] if relative else place)
+            zero = (np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row]
+            on = origins[now - IN_PLANE] + turns[now - IN_PLANE] @ zero if relative else before[row] + zero
+            origins.append(on)
             turns.append(turns[now - IN_PLANE] @ tilt.turn if relative else tilt.turn)
             now = IN_PLANE + len(turns) - 1
             frames += [tilt.frame] * (1 + tilt.frame)
