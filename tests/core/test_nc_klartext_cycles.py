@@ -257,3 +257,21 @@ def test_what_cycles_have_of_their_own_is_mm_in_programs_in_inches() -> None:
     peck = "CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 0.1\nCYCL DEF 1.2 DEPTH -1\nCYCL DEF 1.3 PECKG 0.5\nCYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F30\n"
     pecked = klartext(f"{peck}L X+5 Y+6 Z+0.1 FMAX M99\n", inch)
     assert pecked.words[4, 2] - pecked.words[2, 2] == pytest.approx(0.6, abs=1e-4)
+
+
+def test_words_of_a_cycle_in_lines_of_their_own_without_a_sign_that_it_goes_on() -> None:
+    words = "   Q200=2 ;CLEARANCE\n   Q201 = -10 ;DEPTH\n\n   Q206=150\n   Q202=10\n   Q203=+1\n   Q204=30\n"
+    for sign in (" ~", ""):
+        program = klartext(f"5 CYCL DEF 200 DRILLING{sign}\n{words}6 L X+5 Y+6 FMAX M99\n")
+        assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "r 5 6 3", "r 5 6 31"] and not errors(
+            program
+        )
+        assert program.line[-1] == 14
+
+
+def test_a_decimal_comma_is_a_point() -> None:
+    program = klartext("5 L X+5,25 Y-,5 Z+1 F100,5\n6 Q1 = 2,5\n7 L X+Q1 IY-0,25\n")
+    assert path(program) == ["f 5.25 -0.5 1", "f 2.5 -0.75 1"] and not errors(program)
+    assert program.feed[1] == 100.5
+    named = klartext('5 TOOL CALL "D8,5" Z S500\n6 L X+5 F100\n')
+    assert path(named) == ["f 5 0 20"]

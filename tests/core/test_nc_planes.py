@@ -285,7 +285,7 @@ def test_resets_turn_back_or_not_and_a_retract_by_setting_is_named() -> None:
         one.line for one in program.findings if one.code == "machine-position"
     ] == [3]
     np.testing.assert_allclose(program.words[-5:, :3], POINTS, atol=1e-9)
-    for reset in ("CYCLE800()", 'CYCLE800(0,"0",0,57,0,0,0,0,0,0,0,0,0,1)'):
+    for reset in ("CYCLE800()", "CYCLE800", "N10 CYCLE800 ", 'CYCLE800(0,"0",0,57,0,0,0,0,0,0,0,0,0,1)'):
         program = swivel(f'CYCLE800(0,"TC1",0,57,0,0,0,30,0,0,0,0,0,1)\nG1 X1\n{reset}')
         assert (
             program.words[-1, 4] == pytest.approx(30)

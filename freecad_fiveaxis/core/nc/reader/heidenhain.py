@@ -33,6 +33,11 @@ from .plane_calls import heidenhain as plane
 
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
 NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
+BEGIN = re.compile(rb"^ *(?:[0-9]+ +)?BEGIN +PGM\b", re.MULTILINE)
+COMMA = re.compile(
+    rb'"[^"\n]*"|((?<![A-Z0-9])(?:[A-Z]{1,3}|Q[LR]?[0-9]+ *=|MB|DIST|ABST)? *[-+]?[0-9]*),(?=[0-9])'
+)
+"""A decimal comma, or what stands in quotation marks."""
 CYCLE = re.compile(rb"\bCYCL +DEF(?=[0-9])")
 CODE_LINE = re.compile(rb"^ *(?:/ *)?(?!LN )([A-Z]{2,}[^\n]*)$", re.MULTILINE)
 OWN = re.compile(
@@ -130,6 +135,14 @@ def plain(text: bytes, notes: Notes) -> bytes:
 def join_lines(text: bytes) -> bytes:
     """Return the text with each function that goes on over several lines (~) in its first one."""
     return CONTINUED.sub(_one_line, text) if b"~" in text else text
+
+
+def with_points(text: bytes) -> bytes:
+    """Return klartext with a point for each decimal comma, which a setting of the control (MP7280) writes; in
+    DIN/ISO a comma ends the number of a label."""
+    if b"," not in text or not BEGIN.search(text):
+        return text
+    return COMMA.sub(lambda found: found[1] + b"." if found[1] is not None else found[0], text)
 
 
 def with_unit(whole: bytes, text: bytes) -> bytes:

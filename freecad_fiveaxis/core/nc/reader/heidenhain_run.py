@@ -40,6 +40,13 @@ MARK = re.compile(rb"\bFN *[0-9]+ *:|\bQ[LR]?[0-9]+ *=|\bCALL +LBL\b|[-+ ]Q[LR]?
 """What shows that a text has parameters, calls or cycles."""
 SIGNS = (b"Q", b"CALL", b"M99")
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
+LOOSE = re.compile(
+    rb"^ *(?:[0-9]+ +)?CYCL +DEF +2[0-9][0-9](?![0-9.])[^\n]*(?:\n *)*\n *Q[0-9]{3} *=[^\n]*"
+    rb"(?:(?:\n *)*\n *Q[0-9]{3} *=[^\n]*)*",
+    re.MULTILINE,
+)
+"""A cycle whose words stand in lines of their own without ~ and without a number, as posts write them. They
+set Q parameters that the cycle reads: the same for a control that takes them as formulas."""
 NUMBERED = re.compile(r"^ *[0-9]+(?= *[A-Z*])")
 SETS = re.compile(r"(?:FN(?:[0-8]|13):)?Q([LR]?[0-9]+)=(.*)")
 JUMP = re.compile(r"FN(9|10|11|12):IF(.*?)(EQU|NE|GT|LT)(.*)GOTOLBL(.*)")
@@ -81,6 +88,7 @@ def run_heidenhain(
     ProgramError for what does not end."""
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
+    text = LOOSE.sub(_one_line, text) if b"CYCL" in text else text
     rows = text.decode("latin-1").split("\n")
     kinematics = of_machine.kinematics
     planes = PlaneParameters(kinematics) if kinematics is not None and READS.search(text) else None
