@@ -4,7 +4,8 @@ axes.
 
 G68.2 X Y Z I J K    zero, and Euler angles: I about Z, J about the X so turned, K about the Z so turned
                      (Fanuc B-63942EN/02, 5.44, tilted working plane command; the same order as PLANE EULER).
-                     G53.1 then turns the tool to its normal.
+                     G53.1 then turns the tool to its normal. P1: about X, Y, Z, where one angle alone is told
+                     (Mazak VORTEX i, programming: roll, pitch and yaw angles).
 PLANE SPATIAL        SPA, SPB, SPC about X, then Y, then Z of the untilted system; EULER as above; VECTOR:
                      base vector B along X, normal N; RELATIV: one angle, on from the plane that is on. The
                      zero stays (Heidenhain TNC 620, Klartext, 10/2017, 13.2; iTNC 530, 9.2, 9.4, 9.5).
@@ -42,6 +43,8 @@ REST = re.compile(
     rf"TURN|MOVE|STAY|SEQ *[-+]|(?:TABLE|COORD) *ROT|(ABST|DIST|MB) *({NUMBER}|MAX)|F *MAX|F *AUTO|F "
     rf"*{NUMBER}"
 )
+ROLL_PITCH_YAW = 1.0
+"""P of G68.2 for angles about X, Y, Z."""
 RELATIVE = "RELATIV"
 FORMS = {
     "SPATIAL": ("SPA", "SPB", "SPC"),
@@ -121,6 +124,15 @@ def one_by_one(axes: Sequence[int], degrees: Sequence[float]) -> Floats:
     """Return turns (3, 3) one after the other, each about an axis already turned."""
     first, second, third = (about(axis, angle) for axis, angle in zip(axes, degrees, strict=True))
     return first @ second @ third
+
+
+def turn_about_one(degrees: Sequence[float]) -> Floats | None:
+    """Fanuc's and Mazak's G68.2 P1: I, J, K about X, Y, Z. Where one of them is not 0 its order (Q) says
+    nothing; None where more are."""
+    turned = [axis for axis, angle in enumerate(degrees) if angle]
+    if len(turned) > 1:
+        return None
+    return about(turned[0], degrees[turned[0]]) if turned else np.eye(3)
 
 
 def euler(degrees: Sequence[float]) -> Floats:

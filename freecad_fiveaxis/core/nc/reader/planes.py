@@ -28,6 +28,7 @@ from .lines import Lines, last_of
 from .old_working_plane import settle_meaning
 from .plane_calls import FANUC, HAAS, MOVE, TURN, Tilt
 
+WHICH_FIRST = say("P1 turns about more than one axis, and in which order is not known here")
 NAMES = {FANUC: "G68.2", plane_calls.SIEMENS: "CYCLE800"}
 JOINTS, GUIDED, IN_PLANE = 0, 1, 2
 """What X Y Z of a block mean: where the axes stand; the tip; from IN_PLANE on, the tip in that plane."""
@@ -167,12 +168,17 @@ def _by_codes(lines: Lines, grammar: Grammar) -> dict[int, Tilt]:
 
 
 def _euler(given: dict[str, float]) -> Tilt:
-    if given.get("P", 0.0) != 0.0 or "R" in given:
-        name = f"P{given['P']:g}" if "P" in given else "R"
+    way = given.get("P", 0.0)
+    known = way in (0.0, plane_calls.ROLL_PITCH_YAW)
+    if not known or "R" in given:
+        name = "R" if known else f"P{way:g}"
         return Tilt(FANUC, refused=say("{rest} is not known here", rest=name))
     x, y, z, i, j, k = (given.get(letter, 0.0) for letter in "XYZIJK")
     if why := plane_calls.beyond((x, y, z, i, j, k)):
         return Tilt(FANUC, refused=why)
+    if way == plane_calls.ROLL_PITCH_YAW:
+        turn = plane_calls.turn_about_one((i, j, k))
+        return Tilt(FANUC, turn, (x, y, z)) if turn is not None else Tilt(FANUC, refused=WHICH_FIRST)
     return Tilt(FANUC, plane_calls.euler((i, j, k)), (x, y, z))
 
 
