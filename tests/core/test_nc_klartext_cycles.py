@@ -275,3 +275,9 @@ def test_a_decimal_comma_is_a_point() -> None:
     assert program.feed[1] == 100.5
     named = klartext('5 TOOL CALL "D8,5" Z S500\n6 L X+5 F100\n')
     assert path(named) == ["f 5 0 20"]
+
+
+def test_words_without_a_number_as_old_controls_list_them_say_nothing() -> None:
+    program = klartext("5 L X+5 Y+6 R F500 M\n6 L Z+1 R F M\n7 L X+9 R F MAX M3\n8 L Y+1 F M8\n9 L X+0 R\n")
+    assert path(program) == ["f 5 6 20", "f 5 6 1", "r 9 6 1", "f 9 1 1", "f 0 1 1"] and not errors(program)
+    assert program.feed[[1, 2, 4, 5]].tolist() == [500] * 4

@@ -61,8 +61,11 @@ LAST_LINE = re.compile(rb"^ *N[0-9]+ *%[^\n]*", re.MULTILINE)
 """The end of a DIN/ISO program: its name once more."""
 RETRACT = re.compile(rb"M140 *MB *(?:MAX|[-+]?[0-9.]+)(?: +F *(?:MAX|[0-9.]+))?")
 RAPID = re.compile(rb"(?<![A-Z])F +MAX\b")
-SAME_SIDE = re.compile(rb"(?<![A-Z])R(?= +[FM])")
-"""R alone: the radius compensation stays as it is."""
+EMPTY = re.compile(
+    rb"(?<![A-Z0-9])(?:R(?= +[FM]| *$)|F(?= +M(?: *[0-9]| *$)| *$)|M(?= *$))(?<=[0-9. ][RFM])", re.MULTILINE
+)
+"""R, F or M alone, as old controls list them behind the words of a block: the radius compensation, or F, stays
+as it is."""
 STEP = re.compile(rb"I([XYZABC])")
 SHIFT = re.compile(
     rb"(?:CYCL DEF 7\.[1-9]|TRANS DATUM AXIS) *((?:I?[XYZABC] *[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+) *)+)$|TRANS "
@@ -116,7 +119,7 @@ def plain(text: bytes, notes: Notes) -> bytes:
     text = RETRACT.sub(lambda found: _retract(found, notes), text) if b"M140" in text else text
     text = without_words_of_m(feeds_of_tools(text, notes), notes)
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
-    text = SAME_SIDE.sub(_blank, text)
+    text = EMPTY.sub(_blank, text)
     text = CODE_LINE.sub(lambda found: _function(found, notes), text)
     _name_datum_changes(notes)
     text = text.replace(b"FMAX", b"G0  ").replace(b" R0 ", b"    ")

@@ -7,6 +7,7 @@ Q1 = Q2 + 3 * SIN Q4     formulas, and FN 0 to FN 8, FN 13 with DIV, LEN, ANG; Q
 FN 9 to FN 12            IF +Q1 EQU +Q2 GOTO LBL 5: EQU, NE, GT, LT.
 CALL LBL 1               to LBL 0 and back; with REP 3 the section from LBL 1 to the call runs three times
                          more.
+CALL PGM NAME.H          to its end and back, where a folder has the file (:mod:`.called_klartext`).
 CYCL DEF 200 ...         with CYCL CALL or M99: the drilling cycles of :mod:`.heidenhain_cycles`.
 Q120, Q121, Q122         the axes' words for the last PLANE or cycle 19 (:mod:`.plane_parameters`).
 
@@ -19,7 +20,7 @@ from __future__ import annotations
 import operator
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
 
+from .called_klartext import PROGRAM, RETURN, with_called_programs
 from .codes import CYCLE_KIND, INCH
 from .expressions import NUMBER, Unread
 from .heidenhain_cycles import Around, Cycle, place_before, write_hole
@@ -36,7 +38,9 @@ from .of_machine import NO_MACHINE, OfMachine
 from .old_working_plane import LINE as OLD_PLANE
 from .plane_parameters import NAMES, READS, PlaneParameters
 
-MARK = re.compile(rb"\bFN *[0-9]+ *:|\bQ[LR]?[0-9]+ *=|\bCALL +LBL\b|[-+ ]Q[LR]?[0-9]|\bCYCL +CALL\b|M99")
+MARK = re.compile(
+    rb"\bFN *[0-9]+ *:|\bQ[LR]?[0-9]+ *=|\bCALL +(?:LBL|PGM)\b|[-+ ]Q[LR]?[0-9]|\bCYCL +CALL\b|M99"
+)
 """What shows that a text has parameters, calls or cycles."""
 SIGNS = (b"Q", b"CALL", b"M99")
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
@@ -86,15 +90,19 @@ def run_heidenhain(
 ) -> Written | Refused:
     """Return the text, in capitals and without comments, as the control of that machine runs it. Raises
     ProgramError for what does not end."""
+    try:
+        text, own = with_called_programs(text, of_machine.search)
+    except Unread as unread:
+        return Refused(unread.at + 1, unread.reason)
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
     text = LOOSE.sub(_one_line, text) if b"CYCL" in text else text
     rows = text.decode("latin-1").split("\n")
     kinematics = of_machine.kinematics
     planes = PlaneParameters(kinematics) if kinematics is not None and READS.search(text) else None
-    run = Run(rows, progress, planes, of_machine.diameters)
+    run = Run(rows, progress, planes, of_machine.diameters, own)
     if refusal := refusal_of(run):
-        return refusal
+        return replace(refusal, line=run.find_line() + 1)
     source = np.array([0, *(at + 1 for at, _ in run.output)], np.int64)
     findings = (*run.unread.values(), *(planes.findings if planes else ()))
     return Written("\n".join(row for _, row in run.output).encode("latin-1"), source, findings)
@@ -109,10 +117,11 @@ def _one_line(found: re.Match[bytes]) -> bytes:
 @dataclass(eq=False)
 class Section:
     """A call from line ``back`` - 1; ``left``: how often its section still runs; -1: a subprogram, which ends
-    in LBL 0."""
+    in LBL 0; ``program``: of a file of its own."""
 
     back: int
     left: int = -1
+    program: bool = False
 
 
 def _write(value: float, sign: str = "") -> str:
@@ -129,6 +138,7 @@ class Run:
         progress: Progress,
         planes: PlaneParameters | None,
         diameters: Mapping[int, float],
+        own: int,
     ) -> None:
         self.rows, self.progress = [NUMBERED.sub("", row, count=1) for row in rows], progress
         self.lines = [row.replace(" ", "") for row in self.rows]
@@ -137,7 +147,7 @@ class Run:
         }
         words = ("Q", "LBL", "CYCL", "M", *(("PLANE",) if planes else ()))
         self.plain = [not any(word in line for word in words) for line in self.lines]
-        self.planes = planes
+        self.planes, self.own = planes, own
         self.known: dict[str, float] = {}
         self.calls, self.repeats = list[Section](), dict[int, int]()
         self.cycle: Cycle | None = None
@@ -154,7 +164,7 @@ class Run:
     def run(self) -> None:
         """Run to the end. Raises Unread, ProgramError."""
         count, most = 0, MOST + len(self.rows)
-        while not self.ended and self.at < len(self.rows):
+        while not self.ended and self.at < len(self.rows) and self.at != self.own:
             count += 1
             if not count % BETWEEN:
                 self.progress("reading NC", 0.0)
@@ -166,12 +176,16 @@ class Run:
             else:
                 self.at = self._step(self.lines[self.at])
 
+    def find_line(self) -> int:
+        """Return the index of the line that runs; in a program of another file, of its call in this one."""
+        return self.at if self.at < self.own else next(call.back for call in self.calls if call.program) - 1
+
     def _put(self, row: str) -> None:
         if "TOOL" in row:
             self._tool(row)
         if "F" in row and (found := FEED.search(row)):
             self.feed = found[1]
-        self.output.append((self.at, row))
+        self.output.append((self.find_line(), row))
 
     def _step(self, line: str) -> int:
         """Run one line; the next one."""
@@ -183,7 +197,7 @@ class Run:
         elif found := CALL.fullmatch(line):
             return self._call(found[1], found[2])
         elif found := LABEL.fullmatch(line):
-            return self._back() if found[1] == "0" else self.at + 1
+            return self._back(found[1])
         elif line.startswith("CYCL"):
             self._cycle(line)
         else:
@@ -206,7 +220,7 @@ class Run:
         head = self._label(name)
         if times is None:
             deeper(len(self.calls), self.at)
-            self.calls.append(Section(self.at + 1))
+            self.calls.append(Section(self.at + 1, program=name.startswith(PROGRAM)))
             return head
         left = self.repeats.get(self.at, int(times))
         if left > 0:
@@ -215,9 +229,13 @@ class Run:
         del self.repeats[self.at]
         return self.at + 1
 
-    def _back(self) -> int:
-        """LBL 0: back behind the call; where nothing has called, on."""
-        return self.calls.pop().back if self.calls else self.at + 1
+    def _back(self, name: str) -> int:
+        """LBL 0, or the end of a program that was called: back behind the call; where nothing has called, and
+        at other labels, on."""
+        while name == RETURN and self.calls and not self.calls[-1].program:
+            self.calls.pop()
+        ends = bool(self.calls) and name == (RETURN if self.calls[-1].program else "0")
+        return self.calls.pop().back if ends else self.at + 1
 
     def _block(self, line: str) -> None:
         if SETS_UNKNOWN.match(line):
@@ -225,7 +243,7 @@ class Run:
         row = self.rows[self.at]
         row = WORD.sub(self._word, row) if "Q" in line and not line.startswith(NO_WORDS) else row
         if self.planes and line.startswith("PLANE"):
-            self.known.update(self.planes.tilt(row, self.at, self.output))
+            self.known.update(self.planes.tilt(row, self.find_line(), self.output))
         called = CALLED.search(line) and line.startswith(("L", "C")) and self.cycle is not None
         self._put(CALLED.sub("   ", row) if called else row)
         if called:
@@ -264,7 +282,7 @@ class Run:
         if found := CYCLE.match(line):
             self.cycle = Cycle(found[1], words)
             self.known.update(words)
-            self.output.append((self.at, ""))
+            self.output.append((self.find_line(), ""))
         elif found := OLD_CYCLE.match(line):
             self._old_cycle(found[1], found[2], found[3])
         elif (
@@ -284,8 +302,8 @@ class Run:
             if number and number[1] in WITH_WORDS:
                 row = WORD.sub(self._word, row)
             if self.planes and OLD_PLANE.match(row.strip()):
-                self.known.update(self.planes.tilt(row, self.at, self.output))
-            self.output.append((self.at, row))
+                self.known.update(self.planes.tilt(row, self.find_line(), self.output))
+            self.output.append((self.find_line(), row))
 
     def _reshape(self, number: str, line: str) -> None:
         """Note whether coordinates are mirrored or scaled from here on."""
@@ -301,7 +319,7 @@ class Run:
             self.cycle = Cycle(number)
         if part != "0" and (found := LAST_NUMBER.search(rest)):
             self.cycle.words[part] = float(found[0])
-        self.output.append((self.at, ""))
+        self.output.append((self.find_line(), ""))
 
     def _tool(self, row: str) -> None:
         """Whose speed and diameter the cycles take from here on."""
@@ -341,7 +359,7 @@ class Run:
         except Unread as unread:
             self._not_drilled(self.cycle.number, unread.reason)
             return
-        self.output += [(self.at, row) for row in rows]
+        self.output += [(self.find_line(), row) for row in rows]
 
     def _not_drilled(self, number: str, reason: str) -> None:
         sentence = say(
@@ -350,7 +368,7 @@ class Run:
             name=f"CYCL DEF {number}",
             reason=reason,
         )
-        self.unread.setdefault(sentence, report_finding(CYCLE_KIND[0], sentence, line=self.at + 1))
+        self.unread.setdefault(sentence, report_finding(CYCLE_KIND[0], sentence, line=self.find_line() + 1))
 
 
 ALONG = re.compile(r"TOOL +CALL +(?:(?:[0-9.]+|Q[LRS]?[0-9]+) +)?([XYZ])(?![0-9A-Z])")
