@@ -281,3 +281,10 @@ def test_words_without_a_number_as_old_controls_list_them_say_nothing() -> None:
     program = klartext("5 L X+5 Y+6 R F500 M\n6 L Z+1 R F M\n7 L X+9 R F MAX M3\n8 L Y+1 F M8\n9 L X+0 R\n")
     assert path(program) == ["f 5 6 20", "f 5 6 1", "r 9 6 1", "f 9 1 1", "f 0 1 1"] and not errors(program)
     assert program.feed[[1, 2, 4, 5]].tolist() == [500] * 4
+
+
+def test_a_line_of_din_iso_in_klartext_is_named_and_changes_nothing_behind_it() -> None:
+    program = klartext("5 L X+5 F500\n6 G91 G28 Z0.0\n7 L X+9 Y+1\n")
+    assert path(program) == ["f 5 0 20", "f 9 1 20"]
+    found = next(one for one in program.findings if one.code == "unknown-code")
+    assert found.line == 7 and "G91 G28" in found.text

@@ -34,6 +34,8 @@ from .plane_calls import heidenhain as plane
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
 NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
 BEGIN = re.compile(rb"^ *(?:[0-9]+ +)?BEGIN +PGM\b", re.MULTILINE)
+G_LINE = re.compile(rb"^ *(?:/ *)?G[0-9][^\n]*", re.MULTILINE)
+"""A line of DIN/ISO, which klartext does not know: what it says holds neither there nor behind it."""
 COMMA = re.compile(
     rb'"[^"\n]*"|((?<![A-Z0-9])(?:[A-Z]{1,3}|Q[LR]?[0-9]+ *=|MB|DIST|ABST)? *[-+]?[0-9]*),(?=[0-9])'
 )
@@ -64,8 +66,8 @@ RAPID = re.compile(rb"(?<![A-Z])F +MAX\b")
 EMPTY = re.compile(
     rb"(?<![A-Z0-9])(?:R(?= +[FM]| *$)|F(?= +M(?: *[0-9]| *$)| *$)|M(?= *$))(?<=[0-9. ][RFM])", re.MULTILINE
 )
-"""R, F or M alone, as old controls list them behind the words of a block: the radius compensation, or F, stays
-as it is."""
+"""R, F or M alone, as old controls list them behind the words of a block: the radius compensation, or F,
+stays as it is."""
 STEP = re.compile(rb"I([XYZABC])")
 SHIFT = re.compile(
     rb"(?:CYCL DEF 7\.[1-9]|TRANS DATUM AXIS) *((?:I?[XYZABC] *[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+) *)+)$|TRANS "
@@ -116,6 +118,8 @@ def plain(text: bytes, notes: Notes) -> bytes:
     stays where it is."""
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
+    if b"G" in text and BEGIN.search(text):
+        text = G_LINE.sub(lambda found: _note_word(found, codes.UNKNOWN, notes), text)
     text = RETRACT.sub(lambda found: _retract(found, notes), text) if b"M140" in text else text
     text = without_words_of_m(feeds_of_tools(text, notes), notes)
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
