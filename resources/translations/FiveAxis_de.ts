@@ -5496,6 +5496,10 @@
         <translation>Auf {length} der Bahnen, zuerst bei {place}, berührt der Tonnenfräser mit der Kugel von {corner} an seiner Spitze, nicht mit seiner Flanke, und die Kuppen werden so hoch, wie diese Kugel sie lässt. Die Achse um {begins} bis {most} zur Flächennormalen neigen, etwa mit {tilt} {middle}.</translation>
     </message>
     <message>
+        <source>P1 turns about more than one axis, and in which order is not known here</source>
+        <translation>P1 dreht um mehr als eine Achse, und in welcher Reihenfolge, ist hier nicht bekannt</translation>
+    </message>
+    <message>
         <source>Passes are only {step} apart, because the cutter touches with its edge where the surface is aslant to its axis; a ball of its diameter would take {ball}. Use a ball or a bull nose cutter, or a tool axis that follows the surface.</source>
         <translation>Die Bahnen liegen nur {step} auseinander, weil der Fräser mit seiner Kante berührt, wo die Fläche schräg zu seiner Achse liegt; eine Kugel seines Durchmessers käme mit {ball} aus. Einen Kugel- oder Torusfräser nehmen oder eine Werkzeugachse, die der Fläche folgt.</translation>
     </message>
@@ -6816,6 +6820,10 @@
         <translation>Begrenzung {name} enthält keine geschlossenen Kurven: {cells} in Kurve {number} ist kein Punkt; je Zeile X,Y,Z in mm angeben, keiner jenseits von {farthest}</translation>
     </message>
     <message>
+        <source>by a setting of the machine its angles are spatial or those of the rotary axes, here two unlike planes</source>
+        <translation>je nach Einstellung der Maschine sind seine Winkel Raumwinkel oder die der Rundachsen, hier zwei verschiedene Ebenen</translation>
+    </message>
+    <message>
         <source>calls of other programs, whose moves are missing</source>
         <translation>andere Programme werden aufgerufen, deren Bewegungen fehlen</translation>
     </message>
@@ -7310,6 +7318,10 @@
     <message>
         <source>it gives more values than the program takes</source>
         <translation>er gibt mehr Werte, als das Programm nimmt</translation>
+    </message>
+    <message>
+        <source>it goes on from a plane in which TRANS or ROT is on; end that first</source>
+        <translation>es setzt auf einer Ebene auf, in der TRANS oder ROT wirkt; diese zuerst beenden</translation>
     </message>
     <message>
         <source>it has more than {most} shapes; give a model of fewer, larger ones</source>
@@ -9402,6 +9414,10 @@
     <message>
         <source>tool number is {tool}; give 1 to 99999</source>
         <translation>die Werkzeugnummer ist {tool}; 1 bis 99999 angeben</translation>
+    </message>
+    <message>
+        <source>tool vectors while nothing guides the tip; the rotary axes stay where they are. Switch the guide on before (M128, FUNCTION TCPM, TRAORI)</source>
+        <translation>Werkzeugvektoren, während nichts die Spitze führt; die Rundachsen bleiben stehen. Die Führung vorher einschalten (M128, FUNCTION TCPM, TRAORI)</translation>
     </message>
     <message>
         <source>tool, spindle or a body of the machine comes nearer to another than the clearance</source>
