@@ -23,9 +23,9 @@ be cleared by a tool that sticks out farther."""
 
 
 def narrow_reasons(nodes: Nodes, freedom: Freedom, mesh: Mesh, reacher: Reacher) -> Ints:
-    """Return what is in the way (n,) of :class:`Obstacle` at ``nodes`` with this ``freedom``; where the ball has room
-    and the part is in the way of all axes that were tried, HOLLOW in a closed hollow, and LIMITS where one
-    beyond the machine's limits is free."""
+    """Return what is in the way (n,) of :class:`Obstacle` at ``nodes`` with this ``freedom``; where the ball
+    has room and the part is in the way of all axes that were tried, HOLLOW in a closed hollow, and LIMITS
+    where one beyond the machine's limits is free."""
     met = freedom.met.copy()
     held = np.flatnonzero(~freedom.some & nodes.fits & np.isin(met, BY_PART))
     if not len(held):
