@@ -5976,6 +5976,10 @@
         <translation>Das Werkzeug neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitwinkel wählen oder diese Stellen in einer anderen Aufspannung fräsen.</translation>
     </message>
     <message>
+        <source>The tool passes below the part once between two cuts, because it looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
+        <translation>Das Werkzeug geht zwischen zwei Schnitten einmal unter dem Werkstück durch, weil es dort nach unten zeigt. Prüfen, dass nichts das Werkstück von unten hält, oder eine Werkzeugachse wählen, die nach oben zeigt.</translation>
+    </message>
+    <message>
         <source>The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.</source>
         <translation>Das Werkzeug zeigt woandershin: was das heißt, sagt die Tabelle unten. Sind die Vorzeichen richtig gesehen: die Drehpunktversätze sind falsch.</translation>
     </message>
@@ -7354,6 +7358,10 @@
     <message>
         <source>it has too many parts; give a simpler model</source>
         <translation>es hat zu viele Teile; geben Sie ein einfacheres Modell an</translation>
+    </message>
+    <message>
+        <source>it is a closed hollow, where no tool gets in</source>
+        <translation>es ist ein geschlossener Hohlraum, in den kein Werkzeug kommt</translation>
     </message>
     <message>
         <source>it is a xacro file; run xacro on it first, and give the URDF that it writes</source>
@@ -9660,6 +9668,10 @@
         <translation>{area} ({share} % {of_whole}) werden ausgelassen, weil dort keine Werkzeugachse frei ist: {remedy}.</translation>
     </message>
     <message>
+        <source>{area} ({share} % {of_whole}) look down and are left out: no tool axis that the machine takes up gets there. Turn the part over.</source>
+        <translation>{area} ({share} % {of_whole}) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse, die die Maschine einnehmen kann, kommt dorthin. Das Werkstück wenden.</translation>
+    </message>
+    <message>
         <source>{area} ({share} % {of_whole}) look down and are left out: no tool axis within {most} of Z gets there. Turn the part over, or raise the largest axis angle.</source>
         <translation>{area} ({share} % {of_whole}) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse innerhalb von {most} um Z kommt dorthin. Das Werkstück wenden oder den größten Achswinkel erhöhen.</translation>
     </message>
@@ -10062,6 +10074,10 @@
     <message>
         <source>{count} statements, lines {lines}</source>
         <translation>{count} Anweisungen, Zeilen {lines}</translation>
+    </message>
+    <message>
+        <source>{count} times the tool passes below the part between two cuts, because it looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
+        <translation>{count} Mal geht das Werkzeug zwischen zwei Schnitten unter dem Werkstück durch, weil es dort nach unten zeigt. Prüfen, dass nichts das Werkstück von unten hält, oder eine Werkzeugachse wählen, die nach oben zeigt.</translation>
     </message>
     <message>
         <source>{count} times the tool retracts between two cuts and {letter} turns back above the part, within its limits: that takes time and leaves no mark.</source>
