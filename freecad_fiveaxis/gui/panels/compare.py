@@ -33,7 +33,8 @@ class ComparePanel:
     def __init__(self, path: Any) -> None:
         from freecad_fiveaxis.app import comparing, machines
 
-        self.path, self.title = path, translate("FiveAxis", "Compare machines")
+        self.path, self.doc = path, path.Document
+        self.title = translate("FiveAxis", "Compare machines")
         able = [one for one in machines.choices() if not one.error]
         self.machines = _list("machines", [(one.machine, one.label) for one in able], {path.Machine})
         cures = comparing.cures()

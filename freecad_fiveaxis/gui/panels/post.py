@@ -40,7 +40,7 @@ class PostPanel:
     """Writes the Toolpath ``path``."""
 
     def __init__(self, path: Any) -> None:
-        self.path = path
+        self.path, self.doc = path, path.Document
         title = translate("FiveAxis", "The NC file to write")
         self.file = SaveField("nc_path", title, nc_files(), title, translate("FiveAxis", "Name the NC file."))
         self.error = error_line("post_error")
