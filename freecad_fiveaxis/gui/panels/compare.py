@@ -99,6 +99,7 @@ class ComparePanel:
         from freecad_fiveaxis.app import comparing
         from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
+        self.length.want()
         self.show_error("")
         machines, cures = find_ticked(self.machines), find_ticked(self.cures)
         if not machines or not cures:

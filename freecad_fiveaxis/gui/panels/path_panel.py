@@ -176,6 +176,9 @@ class PathPanel:
         """OK: calculate if that is not done, keep what there is, close. The panel stays where something
         cannot be used, and where the path is not safe and the user goes back to change that."""
         self.look_again()
+        if not self.options.settle():  # the number before it was computed, and nobody means that
+            reveal(self.form)
+            return False
         if (self.stale and not self.calculate()) or not self._ask_to_keep() or not self._try_to_finish():
             return False
         self.step.keep()

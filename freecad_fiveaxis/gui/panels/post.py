@@ -138,6 +138,7 @@ class PostPanel:
         from freecad_fiveaxis.core.report import summary
 
         if self.spindle is not None:
+            self.spindle.want()
             self.spindle.check()
         nc, reports = self._nc_path(), self._report_paths()
         for path in (nc, *reports.values()):

@@ -128,6 +128,9 @@ class WorkPanel:
     def accept(self) -> bool:
         """OK: calculate if that is not done, write, close. The panel stays where something cannot be used or
         is not agreed to."""
+        if not self.options.settle():  # the number before it was computed, and nobody means that
+            reveal(self.form)
+            return False
         if self.stale and not self.calculate():
             return False
         files = self.files(self.done)
