@@ -7,7 +7,7 @@ from conftest import QtCore, QtWidgets
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.gui.panels import compare, post, toolpath
+from freecad_fiveaxis.gui.panels import compare, post, prove_signs, toolpath
 from freecad_fiveaxis.gui.panels.fields import FeedField, NumberField, QuantityField, SpindleField
 from freecad_fiveaxis.gui.panels.machine_editor.boxes import AccelerationField, OpenField, RateField
 from freecad_fiveaxis.gui.panels.rows import Rows
@@ -244,3 +244,24 @@ def test_post_and_compare_read_what_is_being_typed(dome, doc, tmp_path, pump):
     assert opened.error.text().startswith("long is no length")
     opened.reject()
     pump(100)
+
+
+def test_calculate_points_out_what_is_wrong_where_the_line_under_the_field_is_out_of_sight(
+    window, pump, until
+):
+    """Between Calculate and the form's end there may be a screenful; a button that only adds a line down there
+    seems to do nothing."""
+    opened = prove_signs.create()
+    form = opened.options
+    for group in form.groups.values():
+        group.unfold()
+    pump(200)
+    field = form.fields["slow_feed"]
+    assert press_in_the_midst(field, "slow", opened.calculate) is False
+    assert form.error.text().startswith("Slow feed: slow is no feed") and form.error.isVisible()
+    until(lambda: not field.error.visibleRegion().isEmpty(), 5000, "the line under the field in sight")
+    field.show_value(100.0)
+    form.edited.emit()
+    assert not form.error.text()
+    opened.reject()
+    pump(200)

@@ -25,6 +25,7 @@ from .files import FileField, any_file
 from .folding import FoldingGroup
 from .lines import error_line
 from .option_fields import option_field
+from .panel_widget import scroll_to
 
 SPACING = "spacing"
 MORE = "more"
@@ -266,6 +267,16 @@ class Form(QtCore.QObject):
         """Read what is being typed; whether all that was typed can be read."""
         self.want()
         return not any(field.refusal() for field in self.fields.values())
+
+    def point_out(self) -> None:
+        """Say the first error of a field where the form's own stand, and scroll to it: pressed for a result,
+        a button seems to do nothing where the line under the field is out of sight."""
+        for field in self.fields.values():
+            if field.says("error"):
+                if not self.error.text():
+                    self.show_error(f"{field.label}: {field.says('error')}")
+                scroll_to(field.error)
+                return
 
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""

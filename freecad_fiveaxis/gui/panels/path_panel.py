@@ -116,6 +116,7 @@ class PathPanel:
         self.forget_gone()
         if not self.options.check() or self._say_gone():
             self.summary.forget()
+            self.options.point_out()
             return False
         self.step.begin()
         try:
@@ -177,6 +178,7 @@ class PathPanel:
         cannot be used, and where the path is not safe and the user goes back to change that."""
         self.look_again()
         if not self.options.settle():  # the number before it was computed, and nobody means that
+            self.options.point_out()
             reveal(self.form)
             return False
         if (self.stale and not self.calculate()) or not self._ask_to_keep() or not self._try_to_finish():
