@@ -7,8 +7,7 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
 
-
-LIGHT = {"error": "#c62828", "warning": "#a05600", "note": "#5f6b78"}
+LIGHT = {"error": "#d0342c", "warning": "#a05600", "note": "#5f6b78"}
 DARK = {"error": "#ff8a80", "warning": "#ffb74d", "note": "#a9b4c0"}
 """The colours of the lines on a light desktop and on a dark one; each can be read on its own."""
 

@@ -17,7 +17,7 @@ WIDTH, TALL, LOW, LINES = 300, 4000, 110, 80
 """Pixels: as wide as the panel would like to be, taller than any screen, as low as the form may get, and a
 text above it."""
 MARGIN = 4
-LAID_OUT = 50
+SETTLED = 50
 """ms after which a line that was just shown has its place."""
 TITLE = 168
 """Pixels of a title, beside its icon and arrow in the narrowest task panel."""
@@ -90,7 +90,7 @@ class FormArea(QtWidgets.QScrollArea):
 
 def scroll_to(widget: Any) -> None:
     """Have the form around a widget show it, once the layout knows where it stands."""
-    QtCore.QTimer.singleShot(LAID_OUT, lambda: _scroll_form(widget))
+    QtCore.QTimer.singleShot(SETTLED, lambda: _scroll_form(widget))
 
 
 def _scroll_form(widget: Any) -> None:
