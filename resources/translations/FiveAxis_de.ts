@@ -3183,6 +3183,10 @@
         <translation>Der Fräser geht {depth} zu tief ins Werkstück.</translation>
     </message>
     <message>
+        <source>The document was closed, and the task panel with it.</source>
+        <translation>Das Dokument wurde geschlossen und mit ihm der Aufgabendialog.</translation>
+    </message>
+    <message>
         <source>The faces of a mesh have no names: choose a solid, or {option} on the command line.</source>
         <translation>Die Flächen eines Netzes haben keine Namen: einen Volumenkörper wählen, oder {option} auf der Kommandozeile.</translation>
     </message>
@@ -4517,6 +4521,10 @@
         <translation>{over_tolerance} NC-Sätze liegen über der Toleranz; dieser ist der schlimmste.</translation>
     </message>
     <message>
+        <source>{reason}. The value before is kept: open the preferences again to change it.</source>
+        <translation>{reason}. Der bisherige Wert bleibt: Zum Ändern die Einstellungen wieder öffnen.</translation>
+    </message>
+    <message>
         <source>{share} % reached</source>
         <translation>{share} % erreicht</translation>
     </message>
@@ -5496,6 +5504,10 @@
         <translation>Auf {length} der Bahnen, zuerst bei {place}, berührt der Tonnenfräser mit der Kugel von {corner} an seiner Spitze, nicht mit seiner Flanke, und die Kuppen werden so hoch, wie diese Kugel sie lässt. Die Achse um {begins} bis {most} zur Flächennormalen neigen, etwa mit {tilt} {middle}.</translation>
     </message>
     <message>
+        <source>P1 turns about more than one axis, and in which order is not known here</source>
+        <translation>P1 dreht um mehr als eine Achse, und in welcher Reihenfolge, ist hier nicht bekannt</translation>
+    </message>
+    <message>
         <source>Passes are only {step} apart, because the cutter touches with its edge where the surface is aslant to its axis; a ball of its diameter would take {ball}. Use a ball or a bull nose cutter, or a tool axis that follows the surface.</source>
         <translation>Die Bahnen liegen nur {step} auseinander, weil der Fräser mit seiner Kante berührt, wo die Fläche schräg zu seiner Achse liegt; eine Kugel seines Durchmessers käme mit {ball} aus. Einen Kugel- oder Torusfräser nehmen oder eine Werkzeugachse, die der Fläche folgt.</translation>
     </message>
@@ -5970,6 +5982,10 @@
     <message>
         <source>The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or cut these places in another set-up.</source>
         <translation>Das Werkzeug neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitwinkel wählen oder diese Stellen in einer anderen Aufspannung fräsen.</translation>
+    </message>
+    <message>
+        <source>The tool passes below the part once between two cuts, because it looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
+        <translation>Das Werkzeug geht zwischen zwei Schnitten einmal unter dem Werkstück durch, weil es dort nach unten zeigt. Prüfen, dass nichts das Werkstück von unten hält, oder eine Werkzeugachse wählen, die nach oben zeigt.</translation>
     </message>
     <message>
         <source>The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.</source>
@@ -6816,6 +6832,10 @@
         <translation>Begrenzung {name} enthält keine geschlossenen Kurven: {cells} in Kurve {number} ist kein Punkt; je Zeile X,Y,Z in mm angeben, keiner jenseits von {farthest}</translation>
     </message>
     <message>
+        <source>by a setting of the machine its angles are spatial or those of the rotary axes, here two unlike planes</source>
+        <translation>je nach Einstellung der Maschine sind seine Winkel Raumwinkel oder die der Rundachsen, hier zwei verschiedene Ebenen</translation>
+    </message>
+    <message>
         <source>calls of other programs, whose moves are missing</source>
         <translation>andere Programme werden aufgerufen, deren Bewegungen fehlen</translation>
     </message>
@@ -7312,6 +7332,10 @@
         <translation>er gibt mehr Werte, als das Programm nimmt</translation>
     </message>
     <message>
+        <source>it goes on from a plane in which TRANS or ROT is on; end that first</source>
+        <translation>es setzt auf einer Ebene auf, in der TRANS oder ROT wirkt; diese zuerst beenden</translation>
+    </message>
+    <message>
         <source>it has more than {most} shapes; give a model of fewer, larger ones</source>
         <translation>es hat mehr als {most} Formen; geben Sie ein Modell mit weniger, größeren an</translation>
     </message>
@@ -7342,6 +7366,10 @@
     <message>
         <source>it has too many parts; give a simpler model</source>
         <translation>es hat zu viele Teile; geben Sie ein einfacheres Modell an</translation>
+    </message>
+    <message>
+        <source>it is a closed hollow, where no tool gets in</source>
+        <translation>es ist ein geschlossener Hohlraum, in den kein Werkzeug kommt</translation>
     </message>
     <message>
         <source>it is a xacro file; run xacro on it first, and give the URDF that it writes</source>
@@ -9404,6 +9432,10 @@
         <translation>die Werkzeugnummer ist {tool}; 1 bis 99999 angeben</translation>
     </message>
     <message>
+        <source>tool vectors while nothing guides the tip; the rotary axes stay where they are. Switch the guide on before (M128, FUNCTION TCPM, TRAORI)</source>
+        <translation>Werkzeugvektoren, während nichts die Spitze führt; die Rundachsen bleiben stehen. Die Führung vorher einschalten (M128, FUNCTION TCPM, TRAORI)</translation>
+    </message>
+    <message>
         <source>tool, spindle or a body of the machine comes nearer to another than the clearance</source>
         <translation>Werkzeug, Spindel oder ein Körper der Maschine kommt einem anderen näher als der Abstand</translation>
     </message>
@@ -9642,6 +9674,10 @@
     <message>
         <source>{area} ({share} % {of_whole}) are left out, for no tool axis is free there: {remedy}.</source>
         <translation>{area} ({share} % {of_whole}) werden ausgelassen, weil dort keine Werkzeugachse frei ist: {remedy}.</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % {of_whole}) look down and are left out: no tool axis that the machine takes up gets there. Turn the part over.</source>
+        <translation>{area} ({share} % {of_whole}) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse, die die Maschine einnehmen kann, kommt dorthin. Das Werkstück wenden.</translation>
     </message>
     <message>
         <source>{area} ({share} % {of_whole}) look down and are left out: no tool axis within {most} of Z gets there. Turn the part over, or raise the largest axis angle.</source>
@@ -10046,6 +10082,10 @@
     <message>
         <source>{count} statements, lines {lines}</source>
         <translation>{count} Anweisungen, Zeilen {lines}</translation>
+    </message>
+    <message>
+        <source>{count} times the tool passes below the part between two cuts, because it looks down there. Check that nothing holds the part from below, or choose a tool axis that looks up.</source>
+        <translation>{count} Mal geht das Werkzeug zwischen zwei Schnitten unter dem Werkstück durch, weil es dort nach unten zeigt. Prüfen, dass nichts das Werkstück von unten hält, oder eine Werkzeugachse wählen, die nach oben zeigt.</translation>
     </message>
     <message>
         <source>{count} times the tool retracts between two cuts and {letter} turns back above the part, within its limits: that takes time and leaves no mark.</source>

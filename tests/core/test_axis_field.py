@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from gouge_examples import dense_points
+from scipy.spatial.transform import Rotation
 from test_reach_map import BALL, block, profile, slot
 from thorough import some_in_core
 
@@ -24,6 +25,7 @@ from freecad_fiveaxis.core.orientation import auto_axis, facets_with_axis
 from freecad_fiveaxis.core.orientation import axis_field as module
 from freecad_fiveaxis.core.orientation.auto_axis import Free, auto_axes, divide_path, refine_field
 from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field
+from freecad_fiveaxis.core.orientation.rulings import find_rulings
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean
 from freecad_fiveaxis.core.passes import axes_within_limits, slice_mesh
 from freecad_fiveaxis.core.tool import Cutter
@@ -118,9 +120,15 @@ def narrow_bore(radius=3.4, depth=60.0, sides=36):
     return from_faces(np.concatenate([low, high]), np.concatenate([one, two]))
 
 
-def freed_of_bore():
+def bore_askew():
+    """The narrow bore on its side: it leans by 35 deg, and no facet looks along it."""
+    mesh, turn = narrow_bore(), Rotation.from_rotvec(math.radians(35.0) * np.array([0.6, 0.8, 0.0]))
+    return from_faces(mesh.vertex @ turn.as_matrix().T, mesh.face)
+
+
+def freed_of_bore(shape=narrow_bore):
     """Nodes of a narrow bore's wall, which of them a long tool has an axis at, and these axes."""
-    mesh = narrow_bore()
+    mesh = shape()
     reacher, tree = Reacher(Cutter(6.0, 80.0)), facet_tree(mesh)
     nodes = module.surface_nodes(mesh, np.ones(len(mesh.face), np.bool_), reacher, tree, NODES)
     direction = np.concatenate([module.even_directions(), module.main_directions(mesh)])
@@ -133,6 +141,27 @@ def test_in_a_bore_little_wider_than_the_tool_it_stands_along_the_wall():
     assert (nodes.normal[:, :2] * nodes.point[:, :2] < 1e-9).all(), "the wall looks at the bore's axis"
     deep = np.abs(nodes.point[:, 2] + 30.0) < 10.0
     assert some.all() and deep.any() and (np.abs(axis[deep, 2]) > math.cos(math.radians(3.5))).all()
+
+
+def test_in_a_bore_that_stands_askew_the_tool_stands_along_its_rulings():
+    assert freed_of_bore(bore_askew)[1].all()
+
+
+def test_rulings_are_those_of_hollow_walls_and_none_that_are_known():
+    mesh = bore_askew()
+    along = [
+        0.8 * math.sin(math.radians(35.0)),
+        -0.6 * math.sin(math.radians(35.0)),
+        math.cos(math.radians(35.0)),
+    ]
+    ruling = find_rulings(mesh, np.eye(3))
+    np.testing.assert_allclose(ruling, [along], atol=1e-9)
+    assert (
+        len(find_rulings(mesh, ruling))
+        == len(find_rulings(from_faces(mesh.vertex, mesh.face[:, ::-1]), np.eye(3)))
+        == 0
+    )
+    assert len(find_rulings(plate(), np.eye(3))) == 0
 
 
 def test_without_axes_along_walls_that_bore_would_be_out_of_reach(monkeypatch):

@@ -7,7 +7,9 @@ from functools import cache
 
 import numpy as np
 import pytest
+from mesh_shapes import box
 from plain import build_settings
+from revolved import solid_of_revolution
 from scipy.spatial import cKDTree
 from test_axis_field import NODES as FEW
 from test_axis_field import stemmed, take_nodes
@@ -16,6 +18,7 @@ from test_reach_map import block, slot
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
@@ -56,6 +59,12 @@ def some_nodes(request, monkeypatch):
 def served(mesh, reacher, most=RIGHT):
     facets = np.ones(len(mesh.face), bool)
     return select_facets(find_axis_field(mesh, facets, reacher), mesh, facets, most)
+
+
+def left_out_of(mesh, most):
+    """Return what is told to be left out with a ball of 6 mm whose axis leans by ``most`` rad at most."""
+    facets, reacher = np.ones(len(mesh.face), bool), Reacher(Cutter(6.0, 60.0), most=most)
+    return select_facets(find_axis_field(mesh, facets, reacher), mesh, facets, most, reacher)[1]
 
 
 def feed_places(outcome):
@@ -115,6 +124,38 @@ def test_the_underside_stays_out_as_long_as_the_axis_may_not_go_below_the_level(
     assert "within 90 deg" in one.text
     keep, findings = served(block(), Reacher(Cutter(6.0, 40.0)), math.pi)
     assert keep.all() and findings == ()
+
+
+@pytest.mark.usefixtures("some_nodes")
+def test_a_bore_from_below_is_not_too_tight_but_beyond_what_the_axis_may_lean():
+    bored = solid_of_revolution([(0, 40), (15, 40), (15, 0), (5, 0), (5, 25), (0, 25)], 24)
+    found = left_out_of(bored, math.radians(120.0))
+    wall = next(one for one in found if "turn the part over" in one.text)
+    assert wall.value == pytest.approx(2.0 * math.pi * 5.0 * 25.0, rel=0.25)
+    assert wall.value > 3.0 * sum(one.value for one in found if "too tight" in one.text)
+    assert all("too tight" in one.text for one in left_out_of(bored, math.pi))
+
+
+@pytest.mark.usefixtures("some_nodes")
+def test_a_closed_hollow_is_named_and_no_smaller_cutter_is_advised():
+    hollow = from_triangles(
+        np.concatenate([box((0, 0, 0), (40, 40, 30)), box((5, 5, 5), (35, 35, 25))[:, ::-1]])
+    )
+    (one,) = left_out_of(hollow, math.pi)
+    assert "closed hollow" in one.text and one.value == pytest.approx(4200.0)
+
+
+@pytest.mark.usefixtures("some_nodes")
+def test_what_looks_down_is_not_to_be_had_by_a_larger_angle_where_any_is_allowed(monkeypatch):
+    mesh = block()
+    monkeypatch.setattr(
+        "freecad_fiveaxis.core.orientation.axis_field.within_limits", lambda _, axis: axis[:, 2] > 0.0
+    )
+    monkeypatch.setattr(
+        "freecad_fiveaxis.core.gouge.obstacles.within_limits", lambda _, axis: axis[:, 2] > 0.0
+    )
+    (one,) = served(mesh, Reacher(Cutter(6.0, 40.0)), math.pi)[1]
+    assert "180" not in one.text and one.text.endswith("Turn the part over.")
 
 
 @pytest.mark.usefixtures("some_nodes")

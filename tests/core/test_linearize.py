@@ -321,6 +321,23 @@ def test_blocks_at_the_pole_are_divided_and_keep_their_whole_rotary_change(start
     assert turn.max() < 30.0
 
 
+@pytest.mark.parametrize(
+    ("start", "end"),
+    [
+        ((19.9648, 50.5413, -6.0386, -141.3082, 39.1437), (17.0544, 12.6993, 16.0, -144.2947, 0.0)),
+        ((23.6719, 41.0415, 4.4274, -113.9918, 22.5328), (26.2281, 12.7472, 16.0, -111.8642, 0.0)),
+    ],
+)
+def test_a_block_whose_arc_cannot_be_held_turns_evenly_instead(start, end):
+    """Its first word turns by some degrees at the pole, on a piece of the arc that is too short to divide:
+    that was put down to the decimals of its words."""
+    machine = load_machine("trunnion_ac")
+    kinematics, words = chain(machine, Setup(machine.origin)), np.array([start, end])
+    found, _, findings = linearize_words(kinematics, words, (4, 4), 0.005)
+    assert [one.code for one in findings] == ["linearized", "rotary-words-even"]
+    assert measure(kinematics, found).bound.max() <= 0.005
+
+
 def test_a_block_that_only_turns_is_divided_evenly():
     kinematics, words = trunnion_block((0.0, 20.0), (60.0, 20.0), (0.0, 0.0, 0.0))
     found, _, _ = linearize_words(kinematics, words, (4, 4), 0.01)

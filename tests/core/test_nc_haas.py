@@ -132,3 +132,9 @@ def test_g234_of_a_umc_guides_until_g49() -> None:
         [0, 0, 60],
         [5, 0, 60],
     ]
+
+
+def test_m128_of_haas_is_a_relay_of_the_owner() -> None:
+    program = haas("M128\nG1 X5 A10 F500\nM129\n")
+    assert program.guided is None
+    assert read("G21 G90\nG0 X0 Y0 Z9 A0 C0\nM128\nG1 X5 A10 F500\nM129\n", "linuxcnc").guided is not None

@@ -176,3 +176,115 @@ def test_a_tool_that_differs_from_its_table_is_a_note(reported: str, note: str) 
         and (not note or notes[0].startswith(f"TOOL CALL {note} "))
         and not errors(program)
     )
+
+
+def test_201_reams_down_and_up_at_feed() -> None:
+    program = hole(201, {**LEVELS, "Q206": 150, "Q208": 300})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"] and not errors(program)
+    assert program.feed[3:5].tolist() == [150, 300]
+    assert hole(201, {**LEVELS, "Q206": 150, "Q208": 0}).feed[4] == 150
+    fast = klartext(
+        "5 CYCL DEF 201 R ~\n Q200=2 ~\n Q201=-10 ~\n Q206=150 ~\n Q208= MAX ~\n Q203=1 ~\n Q204=30\nL X+5 Y+6 FMAX M99\n"
+    )
+    assert path(fast)[2:] == ["f 5 6 -9", "r 5 6 3", "r 5 6 31"]
+
+
+@pytest.mark.parametrize(("way", "off"), [(1, "4.8 6"), (2, "5 5.8"), (3, "5.2 6"), (4, "5 6.2")])
+def test_202_goes_off_the_wall_and_back_over_the_middle(way: int, off: str) -> None:
+    program = hole(202, {**LEVELS, "Q206": 150, "Q208": 0, "Q214": way, "Q336": 30})
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 3", "f 5 6 -9", f"f {off} -9", f"f {off} 3", f"r {off} 31", "r 5 6 31",
+    ] and not errors(program)  # fmt: skip
+    still = hole(202, {**LEVELS, "Q206": 150, "Q208": 0, "Q214": 0})
+    assert path(still) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"]
+    assert "Q214" in reason(hole(202, {**LEVELS, "Q206": 150, "Q214": 7}))
+
+
+def test_205_stops_before_the_depth_reached_and_breaks_chips() -> None:
+    words = {**LEVELS, "Q206": 150, "Q202": 4, "Q258": 0.4, "Q259": 0.8, "Q208": 0}
+    program = hole(205, words)
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 3", "f 5 6 -3", "r 5 6 3", "r 5 6 -2.6", "f 5 6 -7", "r 5 6 3", "r 5 6 -6.2", "f 5 6 -9",
+        "f 5 6 3", "r 5 6 31",
+    ] and not errors(program)  # fmt: skip
+    breaks = hole(205, {**words, "Q202": 8, "Q257": 3, "Q256": 0.5})
+    assert path(breaks)[1:] == [
+        "r 5 6 3", "f 5 6 -2", "r 5 6 -1.5", "f 5 6 -5", "r 5 6 -4.5", "f 5 6 -7", "r 5 6 3", "r 5 6 -6.6", "f 5 6 -9",
+        "f 5 6 3", "r 5 6 31",
+    ]  # fmt: skip
+    assert "Q379" in reason(hole(205, {**words, "Q379": 3}))
+    assert "Q256" in reason(hole(205, {**words, "Q257": 3}))
+
+
+def test_206_and_209_tap_at_feed_and_in_steps() -> None:
+    program = hole(206, {**LEVELS, "Q206": 750})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3", "r 5 6 31"] and not errors(program)
+    assert program.feed[3:5].tolist() == [750, 750]
+    words = {**LEVELS, "Q239": 1.5, "Q257": 4, "Q256": 0.5, "Q403": 2}
+    program = hole(209, words)
+    assert path(program) == [
+        "r 5 6 20", "r 5 6 3", "f 5 6 -3", "f 5 6 -2.25", "f 5 6 -7", "f 5 6 -6.25", "f 5 6 -9", "f 5 6 3", "r 5 6 31",
+    ] and not errors(program)  # fmt: skip
+    assert program.feed[3:9].tolist() == [750, 750, 750, 750, 750, 1500]
+    out = hole(209, {**words, "Q256": 0})
+    assert path(out)[2:7] == ["f 5 6 -3", "f 5 6 3", "f 5 6 -7", "f 5 6 3", "f 5 6 -9"]
+    assert path(hole(209, {**words, "Q257": 0}))[2:] == ["f 5 6 -9", "f 5 6 3", "r 5 6 31"]
+    assert "speed" in reason(hole(209, words, HEAD.replace("S500", "")))
+
+
+def test_240_centres_by_its_depth_alone() -> None:
+    program = hole(240, {**LEVELS, "Q343": 0, "Q206": 150})
+    assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "r 5 6 3", "r 5 6 31"] and not errors(program)
+    assert "Q343" in reason(hole(240, {**LEVELS, "Q343": 1, "Q344": -6, "Q206": 150}))
+
+
+def test_old_tapping_goes_by_steps_from_where_the_tool_stands() -> None:
+    tap = "CYCL DEF 2.0 TAPPING\nCYCL DEF 2.1 SET UP 2\nCYCL DEF 2.2 DEPTH -10\nCYCL DEF 2.3 DWELL 0.5\nCYCL DEF 2.4 F625\n"
+    program = klartext(f"{tap}L X+5 Y+6 Z+2 FMAX M99\n")
+    assert path(program) == ["r 5 6 2", "f 5 6 -10", "f 5 6 2"] and not errors(program)
+    assert program.feed[2:].tolist() == [625, 625]
+    rigid = "CYCL DEF 17.0 RIGID TAPPING\nCYCL DEF 17.1 SET UP 2\nCYCL DEF 17.2 DEPTH -10\nCYCL DEF 17.3 PITCH +1.25\n"
+    program = klartext(f"{rigid}L X+5 Y+6 Z+2 FMAX\nCYCL CALL\n")
+    assert path(program) == ["r 5 6 2", "f 5 6 -10", "f 5 6 2"] and program.feed[2:].tolist() == [625, 625]
+
+
+def test_what_cycles_have_of_their_own_is_mm_in_programs_in_inches() -> None:
+    inch = HEAD.replace(" MM", " INCH")
+    off = hole(202, {**LEVELS, "Q206": 150, "Q214": 3}, inch)
+    assert off.words[4, 0] - off.words[3, 0] == pytest.approx(0.2, abs=1e-4)
+    tap = hole(207, {**LEVELS, "Q239": 0.05}, inch)
+    assert tap.feed[3] == pytest.approx(0.05 * 500 * 25.4)
+    peck = "CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 0.1\nCYCL DEF 1.2 DEPTH -1\nCYCL DEF 1.3 PECKG 0.5\nCYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F30\n"
+    pecked = klartext(f"{peck}L X+5 Y+6 Z+0.1 FMAX M99\n", inch)
+    assert pecked.words[4, 2] - pecked.words[2, 2] == pytest.approx(0.6, abs=1e-4)
+
+
+def test_words_of_a_cycle_in_lines_of_their_own_without_a_sign_that_it_goes_on() -> None:
+    words = "   Q200=2 ;CLEARANCE\n   Q201 = -10 ;DEPTH\n\n   Q206=150\n   Q202=10\n   Q203=+1\n   Q204=30\n"
+    for sign in (" ~", ""):
+        program = klartext(f"5 CYCL DEF 200 DRILLING{sign}\n{words}6 L X+5 Y+6 FMAX M99\n")
+        assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "r 5 6 3", "r 5 6 31"] and not errors(
+            program
+        )
+        assert program.line[-1] == 14
+
+
+def test_a_decimal_comma_is_a_point() -> None:
+    program = klartext("5 L X+5,25 Y-,5 Z+1 F100,5\n6 Q1 = 2,5\n7 L X+Q1 IY-0,25\n")
+    assert path(program) == ["f 5.25 -0.5 1", "f 2.5 -0.75 1"] and not errors(program)
+    assert program.feed[1] == 100.5
+    named = klartext('5 TOOL CALL "D8,5" Z S500\n6 L X+5 F100\n')
+    assert path(named) == ["f 5 0 20"]
+
+
+def test_words_without_a_number_as_old_controls_list_them_say_nothing() -> None:
+    program = klartext("5 L X+5 Y+6 R F500 M\n6 L Z+1 R F M\n7 L X+9 R F MAX M3\n8 L Y+1 F M8\n9 L X+0 R\n")
+    assert path(program) == ["f 5 6 20", "f 5 6 1", "r 9 6 1", "f 9 1 1", "f 0 1 1"] and not errors(program)
+    assert program.feed[[1, 2, 4, 5]].tolist() == [500] * 4
+
+
+def test_a_line_of_din_iso_in_klartext_is_named_and_changes_nothing_behind_it() -> None:
+    program = klartext("5 L X+5 F500\n6 G91 G28 Z0.0\n7 L X+9 Y+1\n")
+    assert path(program) == ["f 5 0 20", "f 9 1 20"]
+    found = next(one for one in program.findings if one.code == "unknown-code")
+    assert found.line == 7 and "G91 G28" in found.text

@@ -291,7 +291,7 @@ def test_a_binary_file_is_refused_in_one_line_with_line_and_column(controller, d
     ("controller", "line", "where"),
     [
         ("siemens840d", "G1 X1..2", "line 3, column 4"), ("siemens840d", "N10 G1 X1,5", "line 3, column 10"), ("siemens840d", "G1 X=1 X=2", "line 3, column 8"),
-        ("heidenhain", "2 L X+1,5", "line 3, column 8"), ("heidenhain", "2 L X+1 Y-", "line 3, column 9"), ("heidenhain", "2 L X+1 X+2", "line 3, column 9"),
+        ("heidenhain", "2 L X+1,5,2", "line 3, column 5"), ("heidenhain", "2 L X+1 Y-", "line 3, column 9"), ("heidenhain", "2 L X+1 X+2", "line 3, column 9"),
     ],
 )  # fmt: skip
 def test_what_is_no_word_is_refused_with_line_and_column_in_every_language(controller, line, where):

@@ -219,10 +219,18 @@ def test_what_cannot_be_taken_up_is_named() -> None:
     assert any("cannot take up" in found.text for found in nutating.findings)
 
 
+@pytest.mark.parametrize(("letter", "axis"), [("I", "X"), ("J", "Y"), ("K", "Z")])
+def test_one_angle_about_x_y_or_z_of_the_work(letter: str, axis: str) -> None:
+    program = iso(f"G68.2 P1 Q123 X1 Y2 Z3 {letter}-30")
+    turn = Rotation.from_euler(axis, -30, degrees=True).as_matrix()
+    lies(program, TRUNNION, (1.0, 2.0, 3.0), turn)
+    lies(iso("G68.2 P1 X1 Y2 Z3 I0 J0 K0"), TRUNNION, (1.0, 2.0, 3.0), np.eye(3))
+
+
 @pytest.mark.parametrize(
     ("plane", "message"),
     [
-        ("G68.2 P1 X0 Y0 Z0 I10 J20 K30", "P1"), ("G68.2 X0 Y0 Z0 I10 J20 K30 R5", "R is not"),
+        ("G68.2 P1 X0 Y0 Z0 I10 J20 K30", "P1"), ("G68.2 P2 Q1 X0 Y0 Z0", "P2"), ("G68.2 X0 Y0 Z0 I10 J20 K30 R5", "R is not"),
         ("G68.2 I0 J30 K0\nG68.2 I0 J20 K0", "another plane"), ("\nG69", "no tilted plane"),
     ],
 )  # fmt: skip
@@ -254,7 +262,8 @@ def test_forms_of_heidenhain_that_are_not_known_are_named(plane: str) -> None:
 @pytest.mark.parametrize(
     "call",
     [
-        '1,"T",1,57,0,0,0,9,0,0,0,0,0,1',
+        '1,"T",2,57,0,0,0,9,0,0,0,0,0,1',
+        '1,"T",11,57,0,0,0,9,0,0,0,0,0,1',
         '0,"T",0,64,0,0,0,9,0,0,0,0,0,1',
         '0,"T",0,192,0,0,0,9,0,0,0,0,0,1',
         "A,B",
@@ -284,7 +293,7 @@ def test_resets_turn_back_or_not_and_a_retract_by_setting_is_named() -> None:
         one.line for one in program.findings if one.code == "machine-position"
     ] == [3]
     np.testing.assert_allclose(program.words[-5:, :3], POINTS, atol=1e-9)
-    for reset in ("CYCLE800()", 'CYCLE800(0,"0",0,57,0,0,0,0,0,0,0,0,0,1)'):
+    for reset in ("CYCLE800()", "CYCLE800", "N10 CYCLE800 ", 'CYCLE800(0,"0",0,57,0,0,0,0,0,0,0,0,0,1)'):
         program = swivel(f'CYCLE800(0,"TC1",0,57,0,0,0,30,0,0,0,0,0,1)\nG1 X1\n{reset}')
         assert (
             program.words[-1, 4] == pytest.approx(30)

@@ -133,9 +133,9 @@ def test_a_cycle_after_trans_and_in_a_tilted_plane_drills_along_its_axis() -> No
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        ("CYCLE86(10,0,2,-5,,0,3,1,0,0)", "RPA=1"), ("CYCLE86(10,0,2,-5,,0,3,0,0.5,0)", "RPO=0.5"), ("CYCLE86(10,0,2,-5,,0,3,0,0,1)", "RPAP=1"),
+        ("CYCLE84(10,0,2,-9,,,3,,1,0,200,200,,,,3,3,1)", "_VARI=3"), ("CYCLE84(10,0,2,-9,,,3,,1,0,200,200,,,,2)", "no _DAM"),
         ("CYCLE81(10,0,2,-5,,0,1,0,0)", "_GMODE=1"), ("CYCLE82(10,0,2,-5,,0,1)", "_GMODE=1"), ("CYCLE82(10,0,2,-5,,0,0,0,10,0,0,0,3,50)", "S_ZD=3"),
-        ("CYCLE84(10,0,2,-9,,,3,,1,0,200,200,,,,1,3,1)", "_VARI=1"), ("CYCLE83(10,0,2,-9,,,4,,,,,2)", "VARI=2"), ("CYCLE83(10,0,2,-9)", "FDEP, FDPR"),
+        ("CYCLE84(10,0,2,-9,,,3,,1,0,200,200,,,,1,-3,1)", "_DAM=-3"), ("CYCLE83(10,0,2,-9,,,4,,,,,2)", "VARI=2"), ("CYCLE83(10,0,2,-9)", "FDEP, FDPR"),
         ("CYCLE83(10,0,2,-9,,1)", "first depth"), ("CYCLE83(10,0,2,-9,,-4,5)", "FDEP and FDPR"), ("CYCLE83(10,0,2,-9,,,0.0001)", "too many pecks"),
         ("CYCLE81(10,0,2,-5,6)", "DP and DPR"), ("CYCLE81(10,0,2)", "no DP, DPR"), ("CYCLE81(10)", "no RFP"), ("CYCLE81(10,0,2,5)", "one below the other"),
         ("CYCLE81(-1,0,2,-5)", "one below the other"), ("CYCLE81(10,0,2,-5,,0,0,2,0)", "_DMODE=2"), ("CYCLE83(10,0,2,-20,,,8,-0.5)", "too many pecks"), ("CYCLE83(10,0,2,-9,,,4,,,,,1,1)", "_AXN=1"),
@@ -189,3 +189,43 @@ def test_a_program_without_cycles_is_the_same_object_and_too_many_moves_are_refu
     monkeypatch.setattr(siemens_holes, "MOST", 5)
     with pytest.raises(Exception, match="line 6: the cycles make more than 5 moves; divide the program"):
         read("MCALL CYCLE81(10,0,2,-5)\nX1\nX2\nX3\nX4\n")
+
+
+def test_cycle86_goes_aside_at_the_bottom_and_back_over_the_middle() -> None:
+    program = read("G0 X5 Y6\nCYCLE86(10,0,2,-5,,0,3,-0.5,0.25,1,0)\nG1 X8\n")
+    assert not errors(program), program.findings
+    assert path(program)[-6:] == [
+        "r 5 6 2",
+        "f 5 6 -5",
+        "r 4.5 6.25 -4",
+        "r 4.5 6.25 2",
+        "r 5 6 10",
+        "f 8 6 10",
+    ]
+    along = read("G18 G0 X5 Z6\nCYCLE86(10,0,2,-5,,0,3,-0.5,0.25,0,0)\nG1 X8\n")
+    assert path(along)[-4:-1] == ["r 5.25 -5 5.5", "r 5.25 2 5.5", "r 5 10 6"]
+
+
+def test_cycle84_cuts_a_thread_in_infeeds() -> None:
+    breaks = read("G0 X5 Y6\nCYCLE84(10,0,2,-9,,,3,,1.5,0,200,300,,,,1,4,0.5)\nG1 X8\n")
+    assert not errors(breaks), breaks.findings
+    assert path(breaks)[-8:-1] == [
+        "f 5 6 -4",
+        "f 5 6 -3.5",
+        "f 5 6 -8",
+        "f 5 6 -7.5",
+        "f 5 6 -9",
+        "f 5 6 2",
+        "r 5 6 10",
+    ]
+    assert breaks.feed[-8:-2].tolist() == [300, 450, 300, 450, 300, 450]
+    whole = read("G0 X5 Y6\nMCALL CYCLE84(10,0,2,-9,,,3,,1.5,0,200,200,,,,2,4,0.5)\nX7\nMCALL\nG1 X8\n")
+    assert path(whole)[-8:-1] == [
+        "f 7 6 -4",
+        "f 7 6 2",
+        "f 7 6 -8",
+        "f 7 6 2",
+        "f 7 6 -9",
+        "f 7 6 2",
+        "r 7 6 10",
+    ]

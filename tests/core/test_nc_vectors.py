@@ -64,3 +64,21 @@ def test_an_axis_that_passes_beside_the_pole_turns_the_first_axis_by_the_arc() -
     azimuth = np.degrees(np.unwrap(np.arctan2(axis[:, 1], axis[:, 0])))
     np.testing.assert_allclose(np.abs(np.diff(program.words[:, 3])), np.abs(np.diff(azimuth)), atol=1e-3)
     assert len(set(np.sign(program.words[:, 4]))) == 1
+
+
+@pytest.mark.parametrize(
+    ("controller", "text", "line"),
+    [
+        ("heidenhain", "BEGIN PGM T MM\nL X+0 Y+0 Z+9 A+0 C+0 R0 FMAX\nLN X+5 Y+0 Z+5 TX0.6 TY0 TZ0.8 F500\nEND PGM T MM\n", 3),
+        ("heidenhain", "BEGIN PGM T MM\nL X+0 Y+0 Z+9 A+0 C+0 R0 FMAX\nCALL LBL 1\nSTOP M30\nLBL 1\nLN X+5 Y+0 Z+5 TX0.6 TY0 TZ0.8 F500\nLBL 0\nEND PGM T MM\n", 6),
+        ("siemens840d", "G710 G90 G17\nG0 X0 Y0 Z9 A0 C0\nG1 X5 A3=0.6 B3=0 C3=0.8 F500\n", 3),
+    ],
+)  # fmt: skip
+def test_vectors_that_nobody_follows_are_named(controller: str, text: str, line: int) -> None:
+    program = read(text, controller)
+    found = next(one for one in program.findings if one.code == "orientation-not-interpreted")
+    assert found.line == line and str(line) in found.text and program.words[-1, 3:].tolist() == [0, 0]
+    on, off = {"heidenhain": ("M128", "M129"), "siemens840d": ("TRAORI", "TRAFOOF")}[controller]
+    before, cut, behind = text.rpartition("LN" if controller == "heidenhain" else "G1")
+    guided = read(f"{before}{on}\n{cut}{behind}{off}\n", controller)
+    assert not [one for one in guided.findings if one.code == "orientation-not-interpreted"]

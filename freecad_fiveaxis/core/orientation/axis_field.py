@@ -37,6 +37,8 @@ from freecad_fiveaxis.core.gouge.search import find_entries
 from freecad_fiveaxis.core.gouge.swept_motion import still_positions
 from freecad_fiveaxis.core.tool.body import Body, body_of, round_piece
 
+from .rulings import find_rulings
+
 NODES = 1300
 """Places on the surface, evenly by area."""
 
@@ -184,12 +186,14 @@ def even_directions(count: int = DIRECTIONS) -> Floats:
 
 def main_directions(mesh: Mesh) -> Floats:
     """Find the unit vectors (d, 3), both ways, along which pockets, bores and walls of a part most likely
-    stand, and some a little aside: the axes of the work frame and the normals of most area."""
+    stand, and some a little aside: the axes of the work frame, the normals of most area, and the rulings of
+    hollow walls."""
     key, group = np.unique(np.round(mesh.normal / ALIKE).astype(np.int64), axis=0, return_inverse=True)
     area = np.bincount(group.ravel(), mesh.area, len(key))
     most = np.argsort(-area, kind="stable")[:MAIN]
     first = np.unique(group.ravel(), return_index=True)[1][most]
     one = np.concatenate([np.eye(3), mesh.normal[first]])
+    one = np.concatenate([one, find_rulings(mesh, one)])
     both = np.concatenate([one, -one])
     main = both[np.sort(np.unique(np.round(both, 6) + 0.0, axis=0, return_index=True)[1])]
     return np.concatenate([main, *(_leaning(main, 2.0 * math.pi * k / ABOUT) for k in range(ABOUT))])

@@ -42,6 +42,7 @@ from .axis_field import (
     unit,
     with_margin,
 )
+from .beyond_limits import narrow_reasons
 from .blocked_places import PART, Blocker, choose_places, find_blockers
 from .blocking_body import find_blocking_body
 from .level_bottom import slide_bottoms, stand_level_where_free
@@ -156,7 +157,7 @@ def select_facets(
     out[rows] = ~some[near].any(axis=1)
     out[field.nodes.facet[some]] = False
     reason = np.full(len(out), int(Obstacle.NONE))
-    reason[rows] = field.freedom.met[near].max(axis=1)
+    reason[rows] = _choose_reasons(field, mesh, reacher, near)
     if not (facets & ~out).any():
         met = Obstacle(int(np.bincount(reason[rows], mesh.area[rows]).argmax()))
         raise ReachError(
@@ -173,6 +174,14 @@ def select_facets(
     by_fixture = _report_at_fixtures(mesh, blocking, fixtures, whole)
     by_others = _report_left_out(mesh, out & (blocking < 0), reason, most, longer, whole)
     return facets & ~out, by_fixture + by_others
+
+
+def _choose_reasons(field: AxisField, mesh: Mesh, reacher: Reacher | None, near: Ints) -> Ints:
+    """Return what is in the way (k,) about facets with these nodes ``near`` (k, m) them, the nearest one
+    first: that of the axis that gets farthest, where the nearest one does not tell more."""
+    met = field.freedom.met if reacher is None else narrow_reasons(field.nodes, field.freedom, mesh, reacher)
+    nearest, tells = met[near[:, 0]], (met != field.freedom.met)[near[:, 0]]
+    return np.where(tells, nearest, field.freedom.met[near].max(axis=1))
 
 
 def _find_fixtures(
@@ -252,6 +261,12 @@ def _looking_down(mesh: Mesh, down: Bools, most: float, whole: Whole) -> tuple[F
         "there. Turn the part over, or raise the largest axis angle.",
         area=Area(lost, ".6g"), share=share, of_whole=whole.name, most=Angle(math.degrees(most)),
     )  # fmt: skip
+    if most >= math.pi:
+        text = say(
+            "{area} ({share} % {of_whole}) look down and are left out: no tool axis that the machine takes "
+            "up gets there. Turn the part over.",
+            area=Area(lost, ".6g"), share=share, of_whole=whole.name,
+        )  # fmt: skip
     return (report_finding(Code.FACETS_LOOKING_DOWN, text, lost, 0.0, place=place),)
 
 
@@ -278,6 +293,7 @@ def _area_of(mesh: Mesh, group: Bools, whole: Whole) -> tuple[float, Number, tup
 
 
 _REMEDY: dict[Obstacle, Sentence] = {
+    Obstacle.HOLLOW: say("it is a closed hollow, where no tool gets in"),
     Obstacle.LIMITS: say(
         "beyond the machine's limits or the largest axis angle; turn the part over, or raise the angle"
     ),

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.tool.body import CUTTER
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
+from .below_part import count_below_part
 from .collision_avoidance import (
     compute_commanded_motion,
     find_uncut,
@@ -26,7 +27,14 @@ from .collision_avoidance import (
 )
 from .context import MillContext
 from .driving import drive, post_path
-from .options import compute_driven_to_surface, rapids_of, steps_over_strips, tip_to_driven, tool_body
+from .options import (
+    compute_driven_to_hub,
+    compute_driven_to_surface,
+    rapids_of,
+    steps_over_strips,
+    tip_to_driven,
+    tool_body,
+)
 from .programs import MilledProgram
 from .records import LinkedPath, SolvedJoints
 
@@ -112,6 +120,8 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
     settings = context.settings
+    above, radius = compute_driven_to_hub(settings), settings.cutter.cutter.radius
+    found = count_below_part(found, solved.path, context.mesh, above, radius)
     wide = settings.cutter.cutter.has_level_bottom or steps_over_strips(settings)
     suspected = solved.cured or wide or context.unreached or leaves_out(found) or tells_of_less(found)
     uncut = find_uncut(context, solved.path) if suspected else ()

@@ -128,7 +128,12 @@ class Field(QtCore.QObject):
         self._say("error", text)
 
     def want(self) -> None:
-        """Call what the user has not given yet missing from now on: he has asked for the result."""
+        """Read what is being typed, and call what the user has not given yet missing from now on: he has
+        asked for the result."""
+        if hasattr(self.editor, "settle"):
+            self.editor.settle()
+        for part in self.parts_of():
+            part.want()
 
     def parts_of(self) -> Sequence[Field]:
         """Return the fields that this one is made of and that count as it stands."""

@@ -253,18 +253,19 @@ class _Part:
 def _of_portion(
     kinematics: Chain, way: CommandedMoves, deviation: Floats, limit: Ints, tolerance: float, steps: Steps
 ) -> tuple[_Part, Bools]:
-    """Divide a portion of blocks. Those that cannot be divided along their arcs get even rotary words, those
-    in doubt are compared with halving. Also: which are even."""
+    """Divide a portion of blocks. Those that cannot be divided along their arcs as close as is asked get even
+    rotary words where these hold more, those in doubt are compared with halving. Also: which are even."""
     goal = max(tolerance, most_off(kinematics, steps))
     pieces = divide(kinematics, way, deviation, limit, goal, steps)
-    again = np.flatnonzero(np.isinf(pieces.goal) & ~way.even)
+    again = np.flatnonzero((pieces.goal > goal) & ~way.even)
     if len(again):
+        evenly = way.take(again)
+        evenly = replace(evenly, even=np.ones(len(again), np.bool_))
+        others = divide(kinematics, evenly, deviation[again], limit[again], goal, steps)
+        closer = np.flatnonzero((others.goal < pieces.goal[again]) | np.isinf(pieces.goal[again]))
         even = way.even.copy()
-        even[again] = True
-        way = replace(way, even=even)
-        pieces = pieces.with_others(
-            again, divide(kinematics, way.take(again), deviation[again], limit[again], goal, steps)
-        )
+        even[again[closer]] = True
+        way, pieces = replace(way, even=even), pieces.with_others(again[closer], others.take(closer))
     doubt = promising(pieces, np.flatnonzero(pieces.doubt)) if pieces.doubt.any() else np.empty(0, np.int64)
     if len(doubt):
         other = halve_blocks(kinematics, way.take(doubt), pieces.count[doubt], pieces.goal[doubt], steps)

@@ -182,6 +182,13 @@ SPATIAL: Kind = (
         "tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"
     ),
 )
+IDLE_VECTOR: Kind = (
+    Code.ORIENTATION_NOT_INTERPRETED,
+    say(
+        "tool vectors while nothing guides the tip; the rotary axes stay where they are. Switch the guide on "
+        "before (M128, FUNCTION TCPM, TRAORI)"
+    ),
+)
 OTHER_AXIS: Kind = (
     Code.UNKNOWN_AXIS,
     say(

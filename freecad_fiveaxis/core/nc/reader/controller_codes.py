@@ -31,6 +31,8 @@ from .words import Words
 HOLES = (700, 710, 720)
 TAPS = (770, 1740, 1840)
 """G77 back boring and G174, G184, threads along a tilted tool, of Haas."""
+RELAYS = (128, 129)
+"""M121 to M129 of Haas switch relays of the owner: M128 is no guide of the tip there."""
 NUMBERED = tuple(range(1100, 1300, 10))
 ALONG_AXIS = 431
 POLAR_ON, POLAR_OFF = 1120, 1130
@@ -52,6 +54,7 @@ def grammar_of(language: str, controller: str) -> Grammar:
             codes=_without(grammar, codes.TURN) | dict.fromkeys((*HOLES, *TAPS), codes.CYCLE_KIND),
             harmless=grammar.harmless | {*NUMBERED, codes.TURN}, offsets=grammar.offsets + NUMBERED,
             no_move=grammar.no_move + HOLES + TAPS,
+            guide_m={code: on for code, on in (grammar.guide_m or {}).items() if code not in RELAYS},
         )  # fmt: skip
     if controller == "grbl":
         return replace(grammar, inch_degrees=False)

@@ -27,10 +27,19 @@ from .heidenhain_feeds import (
     without_words_of_m,
 )
 from .noted import Notes
+from .old_working_plane import HEAD as OLD_PLANE
+from .old_working_plane import read_working_plane
 from .plane_calls import heidenhain as plane
 
 CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
 NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
+BEGIN = re.compile(rb"^ *(?:[0-9]+ +)?BEGIN +PGM\b", re.MULTILINE)
+G_LINE = re.compile(rb"^ *(?:/ *)?G[0-9][^\n]*", re.MULTILINE)
+"""A line of DIN/ISO, which klartext does not know: what it says holds neither there nor behind it."""
+COMMA = re.compile(
+    rb'"[^"\n]*"|((?<![A-Z0-9])(?:[A-Z]{1,3}|Q[LR]?[0-9]+ *=|MB|DIST|ABST)? *[-+]?[0-9]*),(?=[0-9])'
+)
+"""A decimal comma, or what stands in quotation marks."""
 CYCLE = re.compile(rb"\bCYCL +DEF(?=[0-9])")
 CODE_LINE = re.compile(rb"^ *(?:/ *)?(?!LN )([A-Z]{2,}[^\n]*)$", re.MULTILINE)
 OWN = re.compile(
@@ -54,8 +63,11 @@ LAST_LINE = re.compile(rb"^ *N[0-9]+ *%[^\n]*", re.MULTILINE)
 """The end of a DIN/ISO program: its name once more."""
 RETRACT = re.compile(rb"M140 *MB *(?:MAX|[-+]?[0-9.]+)(?: +F *(?:MAX|[0-9.]+))?")
 RAPID = re.compile(rb"(?<![A-Z])F +MAX\b")
-SAME_SIDE = re.compile(rb"(?<![A-Z])R(?= +[FM])")
-"""R alone: the radius compensation stays as it is."""
+EMPTY = re.compile(
+    rb"(?<![A-Z0-9])(?:R(?= +[FM]| *$)|F(?= +M(?: *[0-9]| *$)| *$)|M(?= *$))(?<=[0-9. ][RFM])", re.MULTILINE
+)
+"""R, F or M alone, as old controls list them behind the words of a block: the radius compensation, or F,
+stays as it is."""
 STEP = re.compile(rb"I([XYZABC])")
 SHIFT = re.compile(
     rb"(?:CYCL DEF 7\.[1-9]|TRANS DATUM AXIS) *((?:I?[XYZABC] *[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+) *)+)$|TRANS "
@@ -106,10 +118,12 @@ def plain(text: bytes, notes: Notes) -> bytes:
     stays where it is."""
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
     text = LAST_LINE.sub(_blank, text) if b"%" in text else text
+    if b"G" in text and BEGIN.search(text):
+        text = G_LINE.sub(lambda found: _note_word(found, codes.UNKNOWN, notes), text)
     text = RETRACT.sub(lambda found: _retract(found, notes), text) if b"M140" in text else text
     text = without_words_of_m(feeds_of_tools(text, notes), notes)
     text = RAPID.sub(lambda found: b"FMAX".ljust(len(found[0])), text)
-    text = SAME_SIDE.sub(_blank, text)
+    text = EMPTY.sub(_blank, text)
     text = CODE_LINE.sub(lambda found: _function(found, notes), text)
     _name_datum_changes(notes)
     text = text.replace(b"FMAX", b"G0  ").replace(b" R0 ", b"    ")
@@ -128,6 +142,14 @@ def plain(text: bytes, notes: Notes) -> bytes:
 def join_lines(text: bytes) -> bytes:
     """Return the text with each function that goes on over several lines (~) in its first one."""
     return CONTINUED.sub(_one_line, text) if b"~" in text else text
+
+
+def with_points(text: bytes) -> bytes:
+    """Return klartext with a point for each decimal comma, which a setting of the control (MP7280) writes; in
+    DIN/ISO a comma ends the number of a label."""
+    if b"," not in text or not BEGIN.search(text):
+        return text
+    return COMMA.sub(lambda found: found[1] + b"." if found[1] is not None else found[0], text)
 
 
 def with_unit(whole: bytes, text: bytes) -> bytes:
@@ -192,9 +214,10 @@ def _function(found: re.Match[bytes], notes: Notes) -> bytes:
         notes.note(codes.SHIFT, "REFPNT CENTER-CENTER", found.start(1))
     if line.startswith(b"PLANE "):
         return before + notes.tilt(plane(line.decode("latin-1"))).ljust(len(found[1]))
-    if HEAD.match(line.decode("latin-1")):
+    words = line.decode("latin-1")
+    if HEAD.match(words) or OLD_PLANE.match(words):
         return before + b" " * len(found[1])
-    if change := read_change(line.decode("latin-1")):
+    if change := read_change(words) or read_working_plane(words):
         return before + notes.tilt(change).ljust(len(found[1]))
     if shift := SHIFT.match(line):
         return before + (b"s1 " + shift[1] if shift[1] else b"s0").ljust(len(found[1]))

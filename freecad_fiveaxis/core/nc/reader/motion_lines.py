@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,10 +18,13 @@ from .codes import INCH, Grammar
 from .dynamic_offset import find_offset_planes
 from .kinematics_switch import find_switches, switch_findings
 from .lines import Lines, last_of
+from .noted import kind_findings
 from .planes import Planes, planes_of
 from .positions import ABSOLUTE, STEP, AxisWords, MotionLines, absolute_anyway, axis_words
 from .source import Source
 from .turning import turn_into_planes
+
+VECTOR_NAMES = {"heidenhain": "TX TY TZ", "siemens": "A3= B3= C3="}
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,11 +44,26 @@ def find_line_states(source: Source, kinematics: Chain) -> tuple[LineState, tupl
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
     dynamic, reports = find_offset_planes(lines, axes, on, kinematics, grammar)
-    findings = (*reports, *switch_findings(lines, grammar))
-    planes = planes_of(lines, grammar, dynamic)
+    findings = (*reports, *switch_findings(lines, grammar), *_name_idle_vectors(lines, on, grammar))
+    planes = planes_of(lines, grammar, kinematics, dynamic)
     if planes is not None:
         mode, on = planes.modes(mode, on)
     return LineState(axes, mode, on, planes), findings
+
+
+def _name_idle_vectors(lines: Lines, on: Bools, grammar: Grammar) -> list[Finding]:
+    """Report tool vectors in lines where the controller does not guide the tip."""
+    name = VECTOR_NAMES.get(grammar.name)
+    if name is None or not any(letter in lines.letters for letter in codes.VECTOR):
+        return []
+    row = np.flatnonzero(~np.isnan(lines.columns(codes.VECTOR)).all(axis=1) & ~on)
+    if not len(row):
+        return []
+    line = int(lines.words.in_file(row[:1])[0])
+    return [
+        replace(found, line=int(row[0]))
+        for found in kind_findings(codes.IDLE_VECTOR, {name: (line, len(row))})
+    ]
 
 
 def _guide_on(lines: Lines, grammar: Grammar) -> Bools:

@@ -87,7 +87,7 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     source, refused, cause, notes = None, list[Finding](), None, Notes()
-    text = din_iso.with_labels(text)
+    text = din_iso.with_labels(heidenhain.with_points(text))
     if heidenhain_run.has_parameters(text):
         run = heidenhain_run.run_heidenhain(text, progress, of_machine)
         if isinstance(run, interpreter.Written):

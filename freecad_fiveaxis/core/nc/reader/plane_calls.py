@@ -4,7 +4,8 @@ axes.
 
 G68.2 X Y Z I J K    zero, and Euler angles: I about Z, J about the X so turned, K about the Z so turned
                      (Fanuc B-63942EN/02, 5.44, tilted working plane command; the same order as PLANE EULER).
-                     G53.1 then turns the tool to its normal.
+                     G53.1 then turns the tool to its normal. P1: about X, Y, Z, where one angle alone is told
+                     (Mazak VORTEX i, programming: roll, pitch and yaw angles).
 PLANE SPATIAL        SPA, SPB, SPC about X, then Y, then Z of the untilted system; EULER as above; VECTOR:
                      base vector B along X, normal N; RELATIV: one angle, on from the plane that is on. The
                      zero stays (Heidenhain TNC 620, Klartext, 10/2017, 13.2; iTNC 530, 9.2, 9.4, 9.5).
@@ -12,12 +13,13 @@ CYCLE800             (FR, "TC", ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, 
                      after the other about axes already turned, zero X1 Y1 Z1 in the plane so turned. MODE:
                      two bits for the axis of each turn, the first lowest (27 = Z Y X, 39, 45, 30, 54, 57 = X
                      Y Z). All angles 0: back to the basic position (Siemens 840D sl, 6FC5398-7CP41, 10.6).
+                     ST with 1 at its end: all of it in the plane that is on ("additive"), from there on.
 
 Not looked up in a manual: DIR 0 leaves the axes, all angles 0 drive them back, the meaning of ST, DIST of
 MOVE; and that Fanuc's angles are about Z, X, Z, as posts write them (FreeCAD CAM's too). Check them on the
 control.
 
-Other forms (three points, projection and axis angles, SYM; ST that adds) are not known here, and named.
+Other forms (three points, projection and axis angles, SYM) are not known here, and named.
 """
 
 from __future__ import annotations
@@ -41,6 +43,8 @@ REST = re.compile(
     rf"TURN|MOVE|STAY|SEQ *[-+]|(?:TABLE|COORD) *ROT|(ABST|DIST|MB) *({NUMBER}|MAX)|F *MAX|F *AUTO|F "
     rf"*{NUMBER}"
 )
+ROLL_PITCH_YAW = 1.0
+"""P of G68.2 for angles about X, Y, Z."""
 RELATIVE = "RELATIV"
 FORMS = {
     "SPATIAL": ("SPA", "SPB", "SPC"),
@@ -52,8 +56,9 @@ MOST_ARGUMENTS = 16
 FARTHEST = 1e7
 """mm, deg; a value beyond this is no place of any machine."""
 POLE_STATES = (0, 100_000, 200_000)
-"""ST: a new plane; the hundred thousands say which way the axes take at the pole, where the plane is the
-same."""
+"""ST: the hundred thousands say which way the axes take at the pole, where the plane is the same."""
+ON = 1
+"""ST: its last digit for a plane on from the one that is on, 0 for a new one."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +81,8 @@ class Tilt:
     rotary words are 0; ``relative``: on from the plane that is on; ``away``: it draws the tool back before;
     ``table``: a free axis of the table turns with the plane; ``refused``: why it is not understood; ``name``:
     how it is called; ``frame``: coordinates alone, of the tip where the control guides it, else of the
-    axes; ``change``: no plane, but what :mod:`.heidenhain_frames` makes one of."""
+    axes; ``change``: no plane, but what :mod:`.heidenhain_frames` makes one of; ``angles`` deg of cycle 19,
+    by their letters (:mod:`.old_working_plane`)."""
 
     rule: str
     turn: Floats | None = None
@@ -93,6 +99,7 @@ class Tilt:
     name: str = ""
     frame: bool = False
     change: Change | None = None
+    angles: tuple[tuple[str, float], ...] = ()
 
 
 def beyond(values: Sequence[float]) -> str:
@@ -117,6 +124,15 @@ def one_by_one(axes: Sequence[int], degrees: Sequence[float]) -> Floats:
     """Return turns (3, 3) one after the other, each about an axis already turned."""
     first, second, third = (about(axis, angle) for axis, angle in zip(axes, degrees, strict=True))
     return first @ second @ third
+
+
+def turn_about_one(degrees: Sequence[float]) -> Floats | None:
+    """Fanuc's and Mazak's G68.2 P1: I, J, K about X, Y, Z. Where one of them is not 0 its order (Q) says
+    nothing; None where more are."""
+    turned = [axis for axis, angle in enumerate(degrees) if angle]
+    if len(turned) > 1:
+        return None
+    return about(turned[0], degrees[turned[0]]) if turned else np.eye(3)
 
 
 def euler(degrees: Sequence[float]) -> Floats:
@@ -201,13 +217,14 @@ def cycle800(inside: str) -> Tilt:
     if why := beyond(value):
         return Tilt(SIEMENS, refused=why)
     state, mode, way = value[2], int(value[3]), int(value[13])
+    on = state % 10 == ON
     order = [(mode >> bits & 3) - 1 for bits in (0, 2, 4)]
-    if state not in POLE_STATES:
+    if state - on not in POLE_STATES:
         return Tilt(SIEMENS, refused=say("{rest} is not known here", rest=f"ST={state:g}"))
     if mode >> 6 or sorted(order) != [0, 1, 2]:
         return Tilt(SIEMENS, refused=say("{rest} is not known here", rest=f"MODE={value[3]:g}"))
     first, second = (value[4], value[5], value[6]), (value[10], value[11], value[12])
-    home = not any(value[7:10])
+    home = not any(value[7:10]) and not on
     turn = one_by_one(order, value[7:10])
     return Tilt(
         SIEMENS,
@@ -217,5 +234,6 @@ def cycle800(inside: str) -> Tilt:
         TURN if way else STAY,
         (way > 0) - (way < 0),
         back=home,
+        relative=on,
         away=value[0] > 0,
     )

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from .expressions import NUMBER
+from .old_working_plane import read_working_plane, settle_meaning
 from .plane_calls import STAY, heidenhain
 from .plane_solution import report_solution, report_unreachable, solution
 
@@ -39,10 +40,11 @@ class PlaneParameters:
         self.read = False
 
     def tilt(self, row: str, at: int, output: list[tuple[int, str]]) -> dict[str, float]:
-        """Work out the parameters that the PLANE function ``row`` of the line of index ``at`` sets, after the
-        rows ``output``; none where it is not understood (:mod:`.planes` says so)."""
+        """Work out the parameters that the PLANE function or cycle 19 in ``row``, the line of index ``at``,
+        sets after the rows ``output``; none where it is not understood (:mod:`.planes` says so)."""
         self._follow(output)
-        tilt = heidenhain(" ".join(row.split()))
+        line = " ".join(row.split())
+        tilt = settle_meaning(read_working_plane(line) or heidenhain(line), self.kinematics)
         if tilt.refused:
             return {}
         self._turn_frame(tilt.turn, tilt.relative)

@@ -19,13 +19,16 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.machine.kinematics import Chain
 
 from . import codes, plane_calls
 from .arcs import AXES
 from .codes import Grammar
 from .lines import Lines, last_of
+from .old_working_plane import settle_meaning
 from .plane_calls import FANUC, HAAS, MOVE, TURN, Tilt
 
+WHICH_FIRST = say("P1 turns about more than one axis, and in which order is not known here")
 NAMES = {FANUC: "G68.2", plane_calls.SIEMENS: "CYCLE800"}
 JOINTS, GUIDED, IN_PLANE = 0, 1, 2
 """What X Y Z of a block mean: where the axes stand; the tip; from IN_PLANE on, the tip in that plane."""
@@ -116,11 +119,12 @@ class Planes:
 
 
 def planes_of(
-    lines: Lines, grammar: Grammar, dynamic: Mapping[int, Tilt] = MappingProxyType({})
+    lines: Lines, grammar: Grammar, kinematics: Chain, dynamic: Mapping[int, Tilt] = MappingProxyType({})
 ) -> Planes | None:
     """Return the tilted planes of a program; None where it has none. ``dynamic``: those that
     :mod:`.dynamic_offset` knows better."""
-    tilts = dict(sorted({**tilts_of(lines, grammar), **dynamic}.items()))
+    named = {row: settle_meaning(tilt, kinematics) for row, tilt in tilts_of(lines, grammar).items()}
+    tilts = dict(sorted({**named, **dynamic}.items()))
     return _planes(tilts, lines, grammar) if tilts else None
 
 
@@ -164,12 +168,17 @@ def _by_codes(lines: Lines, grammar: Grammar) -> dict[int, Tilt]:
 
 
 def _euler(given: dict[str, float]) -> Tilt:
-    if given.get("P", 0.0) != 0.0 or "R" in given:
-        name = f"P{given['P']:g}" if "P" in given else "R"
+    way = given.get("P", 0.0)
+    known = way in (0.0, plane_calls.ROLL_PITCH_YAW)
+    if not known or "R" in given:
+        name = "R" if known else f"P{way:g}"
         return Tilt(FANUC, refused=say("{rest} is not known here", rest=name))
     x, y, z, i, j, k = (given.get(letter, 0.0) for letter in "XYZIJK")
     if why := plane_calls.beyond((x, y, z, i, j, k)):
         return Tilt(FANUC, refused=why)
+    if way == plane_calls.ROLL_PITCH_YAW:
+        turn = plane_calls.turn_about_one((i, j, k))
+        return Tilt(FANUC, turn, (x, y, z)) if turn is not None else Tilt(FANUC, refused=WHICH_FIRST)
     return Tilt(FANUC, plane_calls.euler((i, j, k)), (x, y, z))
 
 
@@ -205,8 +214,9 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
             findings.append(report_refusal(tilt.name or NAMES[tilt.rule], reason, row))
         elif tilt.turn is not None:
             relative = tilt.relative and now
-            place = before[row] + (np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row]
-            origins.append(origins[now - IN_PLANE] if relative else place)
+            zero = (np.array(tilt.origin) + tilt.turn @ tilt.shift) * scale[row]
+            on = origins[now - IN_PLANE] + turns[now - IN_PLANE] @ zero if relative else before[row] + zero
+            origins.append(on)
             turns.append(turns[now - IN_PLANE] @ tilt.turn if relative else tilt.turn)
             now = IN_PLANE + len(turns) - 1
             frames += [tilt.frame] * (1 + tilt.frame)

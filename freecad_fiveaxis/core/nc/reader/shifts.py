@@ -131,7 +131,7 @@ def _tilt_zero(zero: _Zero, tilt: Tilt, row: int) -> None:
         return
     if tilt.rule == SIEMENS:
         zero.base = np.zeros(3)
-    elif zero.own.any():
+    if zero.own.any() and (tilt.relative or tilt.rule != SIEMENS):
         zero.left, zero.end = zero.own != 0.0, row
     zero.tilted, zero.own = tilt.turn is not None, np.zeros(3)
     zero.framed = zero.tilted and tilt.frame and tilt.rule == HEIDENHAIN

@@ -53,7 +53,8 @@ SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
 ROTATE = re.compile(rb"(?<![A-Z0-9_$])(A)?ROT(?![A-Z0-9_])")
 IN_THE_PLANE = re.compile(rb"(?<![A-Z0-9_$])RPL *=(?= *[-+.0-9])")
 SWIVEL = "CYCLE800"
-CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
+CYCLE800 = re.compile(rb"\bCYCLE800(?: *\(([^()\n]*)\)|(?= *$))", re.MULTILINE)
+"""Without brackets it ends the plane, as with empty ones."""
 TOOL = re.compile(rb"(?<![A-Z0-9_$])T *=(?= *(?:$|[A-Z]))", re.MULTILINE)
 ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
 VALUE = rb" *= *[-+]?[0-9.]+(?![0-9. ]*[-+*/(\[])"
@@ -146,7 +147,7 @@ def swivels(text: bytes, notes: Notes) -> bytes:
     """Return the text with the private word of a tilted plane for each CYCLE800, whose tool carrier stands in
     quotation marks."""
     return CYCLE800.sub(
-        lambda found: notes.tilt(cycle800(found[1].decode("latin-1"))).ljust(len(found[0])), text
+        lambda found: notes.tilt(cycle800((found[1] or b"").decode("latin-1"))).ljust(len(found[0])), text
     )
 
 

@@ -7,6 +7,10 @@ DP DPR           final depth, absolute or from RFP on; one of them is told, or b
 FDEP FDPR _DAM   CYCLE83: first depth; each peck is less than the one before by _DAM (below 0: that part of
                  it), but at least _MDEP; the last two of _DAM share what is left. VARI 1: up to RFP + SDIS
                  after each, and down to _DIS1 over the depth reached; 0: up by _VRT.
+_VARI _DAM _VRT  CYCLE84: 1: a thread in infeeds of _DAM, back by _VRT (1 mm) after each; 2: out to RFP +
+                 SDIS.
+RPA RPO RPAP     CYCLE86: at the bottom so far aside in the plane's two axes and up, by rapid; so up to RFP +
+                 SDIS, and over the middle again on the way to RTP.
 FFR RFF          CYCLE85: feeds down and up.  PIT MPIT SST SST1: threads; the feed is pitch times speed.
 MCALL            the cycle runs after each block that moves, until MCALL alone.
 
@@ -58,6 +62,8 @@ CODE = {"CYCLE84": 840, "CYCLE840": 840, "CYCLE85": 850, "CYCLE89": 890}
 CHANGING = ("_GMODE", "_VARI", "S_ZA", "S_FA", "S_ZD", "S_FD", "RPA", "RPO", "RPAP")
 """Values other than 0 of these make other moves: a depth to the shank or by a diameter, pecks, a lateral
 lift."""
+NOT_CHANGING = {"CYCLE86": ("_GMODE", "RPA", "RPO", "RPAP"), "CYCLE84": ("_VARI",)}
+"""Those of them that are known here, or change nothing."""
 COARSE = {
     3: 0.5, 4: 0.7, 5: 0.8, 6: 1.0, 8: 1.25, 10: 1.5, 12: 1.75, 14: 2.0, 16: 2.0, 18: 2.5, 20: 2.5, 22: 2.5,
     24: 3.0, 27: 3.0,
@@ -118,7 +124,7 @@ def _wrong(name: str, values: dict[str, float], beyond: list[str]) -> str:
     """Why the values make no moves that are known here; '' where they do."""
     if beyond:
         return say("it has more values than are known here")
-    changing = [one for one in CHANGING if values.get(one) and not (name == "CYCLE86" and one == "_GMODE")]
+    changing = [one for one in CHANGING if values.get(one) and one not in NOT_CHANGING.get(name, ())]
     if changing:
         return say("{rest} is not known here", rest=f"{changing[0]}={values[changing[0]]:g}")
     for one, known in (
@@ -126,10 +132,12 @@ def _wrong(name: str, values: dict[str, float], beyond: list[str]) -> str:
         ("_PITA", (0, 1, 2, 3, 4)),
         ("_AXN", (0, 3)),
         ("MPIT", (0, *COARSE)),
+        ("_VARI", (0, 1, 2)),
     ):
         if abs(values.get(one, 0.0)) not in known:
             return say("{rest} is not known here", rest=f"{one}={values[one]:g}")
-    missing = [one for one in ("RTP", "RFP") if one not in values]
+    needed = ("RTP", "RFP", *(("_DAM",) if _in_steps(name, values) else ()))
+    missing = [one for one in needed if one not in values]
     if missing:
         return say("it has no {name}", name=missing[0])
     if any(
@@ -153,7 +161,21 @@ def _wrong_depth(name: str, values: dict[str, float]) -> str:
         return say("RTP, RFP and its depth do not lie one below the other")
     if name == "CYCLE83" and not _depth(values, "FDEP", "FDPR") < values["RFP"] - EQUAL_HEIGHT:
         return say("its first depth does not lie below RFP")
-    return say("it makes too many pecks") if name == "CYCLE83" and len(_depths(values)) >= MOST_PECKS else ""
+    if _in_steps(name, values) and not values["_DAM"] > 0.0:
+        return say("{rest} is not known here", rest=f"_DAM={values['_DAM']:g}")
+    return say("it makes too many pecks") if _count_infeeds(name, values) > MOST_PECKS else ""
+
+
+def _count_infeeds(name: str, values: dict[str, float]) -> float:
+    """Return the infeeds of a cycle, about; 1 of one that makes no more."""
+    if _in_steps(name, values):
+        return (values["RFP"] - _depth(values, "DP", "DPR")) / values["_DAM"]
+    return len(_depths(values)) + 1 if name == "CYCLE83" else 1
+
+
+def _in_steps(name: str, values: dict[str, float]) -> bool:
+    """Whether a thread is cut in several infeeds."""
+    return name == "CYCLE84" and values.get("_VARI", 0.0) in (1.0, 2.0)
 
 
 def _depth(values: dict[str, float], absolute: str, relative: str) -> float:
@@ -207,10 +229,15 @@ def steps(drill: Drill, around: Around) -> list[tuple[bool, float, float]]:
     r, z = values["RFP"] + abs(values.get("SDIS", 0.0)), _depth(values, "DP", "DPR")
     if drill.name == "CYCLE83":
         moves: Steps = [*_deep(values, r, z, around.scale), (True, clear)]
+    elif _in_steps(drill.name, values):
+        moves = [*_thread(values, r, z, around.scale), (True, clear)]
+    elif any(sideways(drill)):
+        moves = [(False, z), (True, z + values.get("RPAP", 0.0)), (True, r), (True, clear)]
     else:
         moves = steps_of(Hole(CODE.get(drill.name, 810), r=r, z=z), clear, WAYS)
     feeds = [*_feeds(drill.name, values, around)]
-    feeding = iter(feeds + [feeds[-1]] * len(moves))
+    more = feeds if _in_steps(drill.name, values) else feeds[-1:]
+    feeding = iter(feeds + more * len(moves))
     return [
         (True, r, math.nan),
         *((fast, height, math.nan if fast else next(feeding)) for fast, height in moves),
@@ -223,6 +250,23 @@ def _deep(values: dict[str, float], r: float, z: float, scale: float) -> Steps:
     if not off > 0.0:
         off = (min(max((values["RFP"] - z) * scale / 50.0, 0.6), 7.0) if whole else 1.0) / scale
     return pecks(r, _depths(values), z, off, whole, fast=whole)
+
+
+def _thread(values: dict[str, float], r: float, z: float, scale: float) -> Steps:
+    """Return the infeeds of a thread and the ways back between them, all at its feed."""
+    back, moves, at = values.get("_VRT", 0.0) or 1.0 / scale, Steps(), values["RFP"]
+    while at - values["_DAM"] > z + EQUAL_HEIGHT:
+        at -= values["_DAM"]
+        moves += [(False, at), (False, min(at + back, r) if values["_VARI"] == 1.0 else r)]
+    return [*moves, (False, z), (False, r)]
+
+
+def sideways(drill: Drill) -> tuple[float, float]:
+    """How far CYCLE86 goes aside at the bottom, along the plane's first and second axis; back again in its
+    last move."""
+    if drill.name != "CYCLE86":
+        return 0.0, 0.0
+    return drill.values.get("RPA", 0.0), drill.values.get("RPO", 0.0)
 
 
 def _feeds(name: str, values: dict[str, float], around: Around) -> tuple[float, ...]:

@@ -38,6 +38,7 @@ from .words import Words
 SHIFTS_ON, ROTATED, ROTATED_ON = 3, 4, 5
 """What a line does (:data:`.codes.SHIFTED`)."""
 NAMES = {2: "TRANS", SHIFTS_ON: "ATRANS", ROTATED: "ROT", ROTATED_ON: "AROT"}
+ON_FRAME = say("it goes on from a plane in which TRANS or ROT is on; end that first")
 OWN = (codes.SHIFTED, codes.IN_THE_PLANE, *"XYZABC", *codes.STEP_OF.values(), codes.ABSOLUTE)
 
 
@@ -70,7 +71,9 @@ def replace_frames(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -
     for row in sorted({*rows, *swivels}):
         if row in swivels:
             if not swivels[row].refused:
-                swivel, own = _of_swivel(swivels[row], float(scale[row])), _Place()
+                if swivels[row].relative and not own.nothing():
+                    findings.append(shift_finding("CYCLE800", ON_FRAME, row))
+                swivel, own = _of_swivel(swivels[row], float(scale[row]), swivel), _Place()
             continue
         value, does = np.nan_to_num(programmed[row]), int(kind[row])
         reason = beyond(value.tolist()) or (say("it shifts a rotary axis") if rotary[row] else "")
@@ -82,11 +85,12 @@ def replace_frames(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -
     return _with_tilts(words, np.asarray(~np.isnan(kind)), tilts), findings
 
 
-def _of_swivel(tilt: Tilt, scale: float) -> _Place | None:
-    """Return the coordinates of CYCLE800; None where it ends."""
+def _of_swivel(tilt: Tilt, scale: float, before: _Place | None) -> _Place | None:
+    """Return the coordinates of CYCLE800 after those of the one ``before``; None where it ends."""
     if tilt.turn is None:
         return None
-    return _Place((np.array(tilt.origin) + tilt.turn @ np.array(tilt.shift)) * scale, tilt.turn)
+    place = _Place((np.array(tilt.origin) + tilt.turn @ np.array(tilt.shift)) * scale, tilt.turn)
+    return before.on(place) if tilt.relative and before is not None else place
 
 
 def _step(does: int, value: Floats, scale: float, normal: int, in_plane: float) -> _Place:

@@ -2,9 +2,9 @@
 """The words of a Siemens program with its drilling cycles as moves: rows of their own after the line that
 calls them.
 
-The moves go along the drilling axis alone, where the block before has led; after them G0 to G3, G90 or G91
-and F are as before (Siemens 840D sl, Programming Manual Cycles: the G functions before the call stay in force
-behind it).
+The moves go along the drilling axis, where the block before has led, those of CYCLE86 aside too; after them
+G0 to G3, G90 or G91 and F are as before (Siemens 840D sl, Programming Manual Cycles: the G functions before
+the call stay in force behind it).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .canned_cycles import MOST, MOST_NAMED, spread
 from .codes import INCH, Grammar
 from .lines import Lines, hold_words, last_of
 from .positions import axis_words
-from .siemens_cycles import Around, Drill, steps, wrong_here
+from .siemens_cycles import Around, Drill, sideways, steps, wrong_here
 from .words import Words
 
 Rows = tuple[Ints, Bytes, Floats]
@@ -162,6 +162,12 @@ def _rows(drill: Drill, around: Around, stepwise: bool, motion: int) -> Rows:
         if not math.isnan(own) and own != feed:
             words.append((row, "F", own))
             feed = own
+    for row, sign in (3, 1.0), (5, -1.0):
+        words += [
+            (row, codes.STEP_OF["XYZ"[one]], sign * way)
+            for one, way in zip(AXES[around.plane], sideways(drill), strict=False)
+            if way
+        ]
     last = len(moves) + 1
     words += [(last, "G", motion / 10.0), *([(last, "G", 91.0)] if stepwise else [])]
     if feed != around.feed and not math.isnan(around.feed):
