@@ -34,7 +34,6 @@ from .axis_field import (
     Nodes,
     agreeing,
     even_directions,
-    find_field,
     find_freedom,
     main_directions,
     near_places,
@@ -45,7 +44,8 @@ from .axis_field import (
 from .beyond_limits import narrow_reasons
 from .blocked_places import PART, Blocker, choose_places, find_blockers
 from .blocking_body import find_blocking_body
-from .level_bottom import slide_bottoms, stand_level_where_free
+from .level_bottom import find_axes
+from .slide_bottoms import slide_bottoms
 
 OF_PART, OF_WANTED = say("of the part"), say("of what is to be machined")
 
@@ -124,12 +124,11 @@ def find_axis_field(
     direction = np.concatenate([main_directions(mesh), even_directions()]) if direction is None else direction
     nodes = surface_nodes(mesh, facets, reacher, tree)
     if reacher.cutter.has_level_bottom:
-        nodes = replace(nodes, stand=nodes.stand + slide_bottoms(wide, tree, nodes.stand, nodes.normal, progress))
+        nodes = replace(
+            nodes, stand=nodes.stand + slide_bottoms(wide, tree, nodes.stand, nodes.normal, progress)
+        )
     freedom = find_freedom(nodes, wide, tree, direction, progress)
-    axis = find_field(nodes, freedom, wide, tree, progress)
-    if reacher.cutter.has_level_bottom:
-        axis = stand_level_where_free(axis, nodes, freedom, wide, tree)
-    return AxisField(nodes, freedom, axis)
+    return AxisField(nodes, freedom, find_axes(nodes, freedom, wide, tree, progress))
 
 
 def select_facets(

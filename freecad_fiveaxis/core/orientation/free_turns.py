@@ -23,8 +23,9 @@ from freecad_fiveaxis.core.toolpath.cl_offset import rows_between, seat_normal
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, take_path_rows
 
 from .auto_axis import Free, auto_axes
-from .axis_field import are_free, raise_contacts
+from .axis_field import are_free
 from .facets_with_axis import AxisField
+from .raised_contacts import raise_contacts
 
 TURN, STEP = math.radians(2.0), math.radians(5.0)
 """Turns below the first are not asked: at 100 mm from the tip the way bulges by 0.015 mm. Between samples the

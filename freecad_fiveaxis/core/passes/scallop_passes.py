@@ -188,27 +188,38 @@ def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
     return PassField(value, levels, surface=both)
 
 
+class Bends(NamedTuple):
+    """Of n facets: the curvature ``tensor`` (6, n) 1/mm of surface and tool, less that of a ball of
+    ``radius`` (n,) mm, the step ``flat`` (n,) mm of that ball on a flat, and the ``least`` (n,) of the
+    metric."""
+
+    tensor: Floats
+    radius: Floats
+    flat: Floats
+    least: Floats
+
+    def take(self, at: Ints) -> Bends:
+        """Pick these facets (k,)."""
+        return Bends(self.tensor[:, at], self.radius[at], self.flat[at], self.least[at])
+
+
 class Ground(NamedTuple):
-    """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, their curvature
-    ``tensor`` (6, n), frames, metric and the ``least`` of that; the largest step on a ``flat``, mm, and how
-    many ``squares`` of a step it has; ``radius`` (n,) mm of the ball and ``wide`` (n,) mm, the step on a flat,
-    of each facet."""
+    """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, how surface and tool
+    ``bends`` there, frames and metric; the largest step on a ``flat``, mm, and how many ``squares`` of a step
+    it has."""
 
     curve: Floats | None
     rows: Ints
-    tensor: Floats
+    bends: Bends
     frame: Frames
     metric: Floats
-    least: float
     flat: float
     squares: float
-    radius: Floats
-    wide: Floats
 
     @property
     def fine(self) -> float:
         """The smallest step on a flat, mm."""
-        return float(self.wide.min(initial=self.flat))
+        return float(self.bends.flat.min(initial=self.flat))
 
 
 class Surface(NamedTuple):
@@ -233,8 +244,8 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
         tensor = facet_curvature(mesh)[:, rows]
     least = FLATTEST if region.widest is None else max(FLATTEST, 1.0 / region.widest**2)
     frame = frames(mesh.vertex, mesh.face[rows])
-    radius, wide = _by_facet(region, options, flat, rows)
-    metric = scallop_metric(frame, tensor, radius, wide, least)
+    bends = _bends_by_facet(region, options, rows, tensor, flat, least)
+    metric = scallop_metric(frame, *bends)
     squares = float((frame.area * np.sqrt(metric[0] * metric[2] - metric[1] ** 2)).sum())
     if squares > MOST_SQUARES:
         text = say(
@@ -243,16 +254,20 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
             length=Length(squares * flat, ".3g"),
         )
         raise SettingsError(text, squares * flat)
-    return Ground(curve, rows, tensor, frame, metric, least, flat, squares, radius, wide)
+    return Ground(curve, rows, bends, frame, metric, flat, squares)
 
 
-def _by_facet(region: Region, options: PassOptions, flat: float, rows: Ints) -> tuple[Floats, Floats]:
-    """Return the radius of the ball, mm, and the step on a flat, mm, on each of the facets ``rows`` (n,)."""
-    if region.radii is None or options.scallop is None or options.stepover is not None:
-        return np.full(len(rows), region.radius), np.full(len(rows), flat)
-    radius, height = region.radii[rows], AIM * options.scallop
-    wide = np.minimum(2.0 * np.sqrt(height * (2.0 * radius - height)), flat)
-    return radius, np.maximum(wide, options.least)
+def _bends_by_facet(
+    region: Region, options: PassOptions, rows: Ints, tensor: Floats, flat: float, least: float
+) -> Bends:
+    """Return how surface and tool bend on the facets ``rows`` (n,)."""
+    count, tool = len(rows), region.tool
+    if tool is None or options.scallop is None or options.stepover is not None:
+        return Bends(tensor, np.full(count, region.radius), np.full(count, flat), np.full(count, least))
+    height, radius = AIM * options.scallop, tool.radius[rows]
+    step = np.minimum(2.0 * np.sqrt(height * (2.0 * radius - height)), flat)
+    narrowest = np.maximum(tool.least(rows), (step / flat) ** 2)
+    return Bends(tensor + tool.bends(rows), radius, np.maximum(step, options.least), narrowest)
 
 
 def make_surface(region: Region, ground: Ground) -> Surface:
@@ -291,8 +306,7 @@ def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
     """Measure a copy of the region: its frames, and the metric of the facets in which its own lie."""
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(region.mesh.face), -1)
     place[ground.rows] = np.arange(len(ground.rows))
-    at = place[copy.parent]
-    metric = scallop_metric(frame, ground.tensor[:, at], ground.radius[at], ground.wide[at], ground.least)
+    metric = scallop_metric(frame, *ground.bends.take(place[copy.parent]))
     return Surface(copy, frame, metric, ground.flat, ground.fine, region.covered or math.inf)
 
 

@@ -52,7 +52,7 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
     """Give each contact the strategy's tool axis, and leave out the rows that cannot be cut with it."""
     settings, offset, frame, found = context.settings, passes.offset, passes.frame, tuple[Finding, ...]()
     axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
-    offset = replace(offset, middle=settings.tool_axis.tool_axis == FACE_NORMAL or settings.cutter.cutter.has_level_bottom and context.field is not None)
+    offset = replace(offset, middle=settings.tool_axis.tool_axis == FACE_NORMAL)
     if context.frames is not None and frame is not None and len(axis):
         offset, axis, found = select_framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):

@@ -104,7 +104,7 @@ def preview_passes(
     mesh, faces, avoided, reports = choose_facets(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress, find_area(settings, mesh, faces, avoided))
     context, one_in = _sparser(context)
-    passes = plan_passes(context, find_region(context.settings, mesh, context.keep, progress, context.frames, context.field))
+    passes = plan_passes(context, find_region(context.settings, mesh, context.keep, progress, context.frames))
     whole = context.boundary is None and context.keep_off is None
     columns = _cut_rows(passes.contact, context.keep) if whole else _within_boundary(context, passes)
     found = (*reports, *left_out, *passes.findings)

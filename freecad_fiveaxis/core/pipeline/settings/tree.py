@@ -165,8 +165,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """Return the pass strategy and the tool axis chosen by the other options, where they are not ``given``.
 
     Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on
-    the normals. So do cutters without a ball end, whose passes are as far apart as the bottom is wide there;
-    a level bottom lies on plane faces up to their edges.
+    the normals, a level bottom up to the edges of plane faces. So do barrels, which lean from them.
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
@@ -178,9 +177,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     if "tool_axis" not in given and settings.passes.passes == ROTARY:
         return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=FROM_AXIS))
     cutter = settings.cutter.cutter
-    if "tool_axis" not in given and (
-        settings.passes.passes not in OVER_SURFACE or not cutter.touches_as_ball
-    ):
+    if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or cutter.barrel is not None):
         strategy = "face_normal" if cutter.has_level_bottom else "facet_mean"
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=strategy))
     return settings
