@@ -7,8 +7,8 @@ import numpy as np
 from mesh_shapes import box
 from revolved import solid_of_revolution
 
-from freecad_fiveaxis.core.base.codes import Code
-from freecad_fiveaxis.core.base.findings import Severity, report_finding
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import report_finding
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.below_part import count_below_part

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.codes import Code
-from freecad_fiveaxis.core.base.findings import Finding, Severity, report_finding
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, plural, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
