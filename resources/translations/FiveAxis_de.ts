@@ -2087,6 +2087,10 @@
         <translation>Durchmesser</translation>
     </message>
     <message>
+        <source>Dips below the part</source>
+        <translation>Taucht unter das Teil</translation>
+    </message>
+    <message>
         <source>Direction</source>
         <translation>Richtung</translation>
     </message>
@@ -5968,12 +5972,20 @@
         <translation>Die Werkzeugachse wurde in {count} Punkten geneigt, am meisten um {angle} bei {place}, damit das Werkzeug nicht ins Werkstück eindringt.</translation>
     </message>
     <message>
+        <source>The tool dips up to {depth} below Z {height}, on which the part stands. Hold the part so that as much is free below its edges, or give what is there with {fixture}.</source>
+        <translation>Das Werkzeug taucht bis {depth} unter Z {height} ein, worauf das Teil steht. Das Teil so spannen, dass unter seinen Kanten so viel frei ist, oder mit {fixture} angeben, was dort ist.</translation>
+    </message>
+    <message>
         <source>The tool gets everywhere: {area}.</source>
         <translation>Das Werkzeug kommt überall hin: {area}.</translation>
     </message>
     <message>
         <source>The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.</source>
         <translation>Das Werkzeug erreicht {share} % der Oberfläche, {reached} von {area}; der Rest ist meist: {reason}.</translation>
+    </message>
+    <message>
+        <source>The tool goes up to {depth} below Z {height}, on which the part stands: farther than the end of the cutter needs beside a wall. Raise the part by as much, give what is there with {fixture}, or keep the tool from leaning so far with {max_axis_angle}.</source>
+        <translation>Das Werkzeug geht bis {depth} unter Z {height}, worauf das Teil steht: weiter, als das Ende des Fräsers neben einer Wand braucht. Das Teil um so viel höher spannen, mit {fixture} angeben, was dort ist, oder mit {max_axis_angle} das Werkzeug weniger weit neigen.</translation>
     </message>
     <message>
         <source>The tool goes {wrong}: {letter} has the wrong sign.</source>
@@ -9134,6 +9146,10 @@
     <message>
         <source>the tool differs from that of the control's table</source>
         <translation>das Werkzeug weicht von dem der Werkzeugtabelle ab</translation>
+    </message>
+    <message>
+        <source>the tool dips below the plane on which the part stands</source>
+        <translation>das Werkzeug taucht unter die Ebene, auf der das Teil steht</translation>
     </message>
     <message>
         <source>the tool goes below the machine's table</source>

@@ -227,6 +227,7 @@ class Code(str, Enum):
         "the retract to a machine position goes below where the program begins or ends",
     )
     RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
+    DIP_BELOW_PART = "dip-below-part", WARNING, "mm", "the tool dips below the plane on which the part stands"
     REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut, with the tool retracted"
     REWINDS = "rewinds", WARNING, "1", "how many times a rotary axis turns back inside a cut"
     REWINDS_BETWEEN_CUTS = (
