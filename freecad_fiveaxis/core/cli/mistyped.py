@@ -9,7 +9,7 @@ import difflib
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from freecad_fiveaxis.core.base.sentences import Task, join_sentences, say
+from freecad_fiveaxis.core.base.sentences import Task, say
 
 UNKNOWN = re.compile(r"unrecognized arguments: .*?(?P<flag>--[\w-]+)")
 CHOICE = re.compile(r"invalid choice: '(?P<word>.*)' \(choose from (?P<known>.*)\)")
@@ -52,5 +52,5 @@ def _name_nearest(word: str, known: Iterable[str]) -> str:
 
 
 def _name_commands(flag: str, commands: Sequence[str]) -> str:
-    names = join_sentences([Task(name) for name in commands], ", ")
+    names = ", ".join(str(Task(name)) for name in commands)
     return say("; {option} is for {commands}; leave it out here", option=flag, commands=names)
