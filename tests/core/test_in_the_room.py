@@ -76,8 +76,8 @@ def test_a_vise_in_the_platter_and_one_in_other_units_are_reported_by_each_task(
     found, text, page = findings_of(task, files, "part.stl", "vise.stl", "small.stl")
     assert found["fixture-in-body"]["value"] == pytest.approx(5.0, abs=1.5)
     assert "small.stl" in found["unit-suspected"]["text"]
-    for said in (text, page):
-        assert "vise.stl stands in platter" in said and "--stl-units" in said
+    for written in (text, page):
+        assert "vise.stl stands in platter" in written and "--stl-units" in written
 
 
 @pytest.mark.parametrize("task", OF_TASK)

@@ -81,7 +81,7 @@ def watch_machine(
         found = check_machine(given, program, part, settings.proof.tolerance, progress)
         names = {"", *(one.name for one in fixtures)}
         hits = tuple(one for one in found if not _is_aside(one, aside, names))
-        return hits + _sunk_deeper(machine, setup, (part, fixtures), DEEPER * present)
+        return hits + _refuse_sunk(machine, setup, (part, fixtures), DEEPER * present)
 
     return collide
 
@@ -108,13 +108,13 @@ def _turn(held: Held, turn: float) -> Held:
     return None if part is None else turn_mesh(part, turn), turned
 
 
-def _sunk_deeper(machine: Machine, setup: Setup, held: Held, most: float) -> tuple[Finding, ...]:
+def _refuse_sunk(machine: Machine, setup: Setup, held: Held, most: float) -> tuple[Finding, ...]:
     """Return where part or fixtures stand more than ``most`` mm deep in a body, as errors with what is
     more."""
-    return tuple(_refuse(one, most) for one in find_sunk(machine, setup, *held) if one.depth > most)
+    return tuple(_refuse_one(one, most) for one in find_sunk(machine, setup, *held) if one.depth > most)
 
 
-def _refuse(one: Sunk, most: float) -> Finding:
+def _refuse_one(one: Sunk, most: float) -> Finding:
     deeper = one.depth - most
     return replace(
         report_sunk(one), value=deeper, severity=Severity.ERROR, hit=Hit(one.fixture or "", one.body)
