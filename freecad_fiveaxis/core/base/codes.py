@@ -619,7 +619,7 @@ class Code(str, Enum):
         "no-setup-free",
         ERROR,
         "mm",
-        "in all setups that were tried tool or spindle hit the machine",
+        "in all setups that were tried the machine is hit",
     )
     JAWS_FREE = "jaws-free", NOTE, "mm", "how high the jaws of a vise may reach beside the part"
     NO_STICK_OUT_FREE = (
@@ -640,7 +640,7 @@ class Code(str, Enum):
         "setups-hit-machine",
         NOTE,
         "1",
-        "setups are passed over: tool or spindle hit the machine there",
+        "setups are passed over: the machine is hit there",
     )
     STICK_OUT_ENOUGH = "stick-out-enough", NOTE, "mm", "the shortest stick-out with which the holder is free"
     STICK_OUT_TOO_SHORT = (
