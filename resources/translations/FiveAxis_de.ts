@@ -2087,6 +2087,10 @@
         <translation>Durchmesser</translation>
     </message>
     <message>
+        <source>Dips below the part</source>
+        <translation>Taucht unter das Teil</translation>
+    </message>
+    <message>
         <source>Direction</source>
         <translation>Richtung</translation>
     </message>
@@ -4720,8 +4724,8 @@
         <translation>1 von {all} Wegen hält {tolerance} ein; der schnellste ist {way}, {time}.</translation>
     </message>
     <message>
-        <source>1 setup that was tried is passed over, because tool or spindle hit the machine there: with the work zero at {origin} the {name} by {depth}.</source>
-        <translation>1 geprüfte Aufspannung ist übergangen, weil Werkzeug oder Spindel dort die Maschine treffen: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
+        <source>1 setup that was tried is passed over, because the machine is hit there: with the work zero at {origin} the {name} by {depth}.</source>
+        <translation>1 geprüfte Aufspannung ist übergangen, weil dort die Maschine getroffen wird: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
     </message>
     <message>
         <source>: the tool cannot reach it ({why})</source>
@@ -4730,6 +4734,10 @@
     <message>
         <source>: {parts}</source>
         <translation>: {parts}</translation>
+    </message>
+    <message>
+        <source>; did you mean {close}?</source>
+        <translation> – ist {close} gemeint?</translation>
     </message>
     <message>
         <source>; do you mean {close}?</source>
@@ -4742,6 +4750,18 @@
     <message>
         <source>; {kept} were finished before</source>
         <translation>; {kept} waren schon fertig</translation>
+    </message>
+    <message>
+        <source>; {key} is not known</source>
+        <translation>; {key} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>; {option} is for {commands}; leave it out here</source>
+        <translation>; {option} gehört zu {commands}; hier weglassen</translation>
+    </message>
+    <message>
+        <source>; {word} stands there, do you mean {close}?</source>
+        <translation>; dort steht {word} – ist {close} gemeint?</translation>
     </message>
     <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the segment itself.</source>
@@ -5076,20 +5096,24 @@
         <translation>In NC-Zeile {line} endet das Programm, und {function} ist noch an: Das nächste kann damit beginnen. Vor dem Ende {off} angeben.</translation>
     </message>
     <message>
-        <source>In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
-        <translation>In allen {count} geprüften Aufspannungen treffen Werkzeug oder Spindel die Maschine, am wenigsten mit dem Werkstück-Nullpunkt bei {origin}: {name} um {depth}. Den Bereich verschieben ({option}), das Werkstück höher spannen oder ein längeres Werkzeug nehmen.</translation>
+        <source>In all {count} setups that were tried the machine is hit, least with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
+        <translation>In allen {count} geprüften Aufspannungen wird die Maschine getroffen, am wenigsten mit dem Werkstück-Nullpunkt bei {origin}: {name} um {depth}. Den Bereich verschieben ({option}), das Werkstück höher spannen oder ein längeres Werkzeug nehmen.</translation>
     </message>
     <message>
         <source>In hollows along the passes the cutter's bottom stands in the part behind its contact or before it, over {count} rows; how deep is not known here. Give more lead, take a smaller cutter or a ball, or have the path checked against the part ({report}), or lifted out of it ({lift}).</source>
         <translation>In Mulden längs der Bahnen steht der Boden des Fräsers hinter oder vor dem Berührpunkt im Teil, über {count} Zeilen; wie tief, ist hier nicht bekannt. Mehr Voreilwinkel geben, einen kleineren Fräser oder eine Kugel nehmen, oder die Bahn gegen das Teil prüfen ({report}) oder aus ihm heben lassen ({lift}).</translation>
     </message>
     <message>
-        <source>In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
-        <translation>In der einen geprüften Aufspannung treffen Werkzeug oder Spindel die Maschine, mit dem Werkstück-Nullpunkt bei {origin}: {name} um {depth}. Den Bereich verschieben ({option}), das Werkstück höher spannen oder ein längeres Werkzeug nehmen.</translation>
+        <source>In the one setup that was tried the machine is hit, with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
+        <translation>In der einen geprüften Aufspannung wird die Maschine getroffen, mit dem Werkstück-Nullpunkt bei {origin}: {name} um {depth}. Den Bereich verschieben ({option}), das Werkstück höher spannen oder ein längeres Werkzeug nehmen.</translation>
     </message>
     <message>
         <source>In the present setup the axes leave their limits.</source>
         <translation>In der jetzigen Aufspannung verlassen die Achsen ihre Grenzen.</translation>
+    </message>
+    <message>
+        <source>In the present setup the machine is hit.</source>
+        <translation>In der jetzigen Aufspannung wird die Maschine getroffen.</translation>
     </message>
     <message>
         <source>In the present setup the part reaches below the table.</source>
@@ -5098,10 +5122,6 @@
     <message>
         <source>In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give another {origin}.</source>
         <translation>In der jetzigen Aufspannung reicht das Werkstück unter den Tisch: sein Nullpunkt muss bei Z {least} oder höher stehen. {origin} anders angeben.</translation>
-    </message>
-    <message>
-        <source>In the present setup tool or spindle hit the machine.</source>
-        <translation>In der jetzigen Aufspannung treffen Werkzeug oder Spindel die Maschine.</translation>
     </message>
     <message>
         <source>In this cut {letter} takes {whole} and has {width}, but begins where that does not fit: the part turned about {letter}, or limits that lie otherwise, avoid it.</source>
@@ -5474,6 +5494,10 @@
     <message>
         <source>On {machine} with correction {cure}: {what}</source>
         <translation>Auf {machine} mit Korrektur {cure}: {what}</translation>
+    </message>
+    <message>
+        <source>On {machine}: {what}</source>
+        <translation>Auf {machine}: {what}</translation>
     </message>
     <message>
         <source>Once the tool retracts between two cuts and {letter} turns back above the part, within its limits: that takes time and leaves no mark.</source>
@@ -5968,12 +5992,20 @@
         <translation>Die Werkzeugachse wurde in {count} Punkten geneigt, am meisten um {angle} bei {place}, damit das Werkzeug nicht ins Werkstück eindringt.</translation>
     </message>
     <message>
+        <source>The tool dips up to {depth} below Z {height}, on which the part stands. Hold the part so that as much is free below its edges, or give what is there with {fixture}.</source>
+        <translation>Das Werkzeug taucht bis {depth} unter Z {height} ein, worauf das Teil steht. Das Teil so spannen, dass unter seinen Kanten so viel frei ist, oder mit {fixture} angeben, was dort ist.</translation>
+    </message>
+    <message>
         <source>The tool gets everywhere: {area}.</source>
         <translation>Das Werkzeug kommt überall hin: {area}.</translation>
     </message>
     <message>
         <source>The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.</source>
         <translation>Das Werkzeug erreicht {share} % der Oberfläche, {reached} von {area}; der Rest ist meist: {reason}.</translation>
+    </message>
+    <message>
+        <source>The tool goes up to {depth} below Z {height}, on which the part stands: farther than the end of the cutter needs beside a wall. Raise the part by as much, give what is there with {fixture}, or keep the tool from leaning so far with {max_axis_angle}.</source>
+        <translation>Das Werkzeug geht bis {depth} unter Z {height}, worauf das Teil steht: weiter, als das Ende des Fräsers neben einer Wand braucht. Das Teil um so viel höher spannen, mit {fixture} angeben, was dort ist, oder mit {max_axis_angle} das Werkzeug weniger weit neigen.</translation>
     </message>
     <message>
         <source>The tool goes {wrong}: {letter} has the wrong sign.</source>
@@ -6228,8 +6260,8 @@
         <translation>Mit dem um {angle} gedrehten Werkstück erlauben die Grenzen der Rundachsen keinen Weg: {error}.</translation>
     </message>
     <message>
-        <source>With the tool as it is tool or spindle hit the machine in every setup that was tried. With one that sticks out {enough} instead of {present}:</source>
-        <translation>Mit dem Werkzeug, wie es ist, treffen Werkzeug oder Spindel die Maschine in jeder erprobten Aufspannung. Mit einer Auskragung von {enough} statt {present}:</translation>
+        <source>With the tool as it is the machine is hit in every setup that was tried. With one that sticks out {enough} instead of {present}:</source>
+        <translation>Mit dem Werkzeug, wie es ist, wird die Maschine in jeder erprobten Aufspannung getroffen. Mit einer Auskragung von {enough} statt {present}:</translation>
     </message>
     <message>
         <source>With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured along the tool.</source>
@@ -7292,8 +7324,8 @@
         <translation>auch im Eilgang laufen alle Achsen im Verhältnis zueinander ({rapids})</translation>
     </message>
     <message>
-        <source>in all setups that were tried tool or spindle hit the machine</source>
-        <translation>in allen versuchten Aufspannungen treffen Werkzeug oder Spindel die Maschine</translation>
+        <source>in all setups that were tried the machine is hit</source>
+        <translation>in allen versuchten Aufspannungen wird die Maschine getroffen</translation>
     </message>
     <message>
         <source>in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the block's ends</source>
@@ -8468,8 +8500,8 @@
         <translation>der Bereich {low} bis {high}: die untere Ecke liegt über der oberen; tauschen</translation>
     </message>
     <message>
-        <source>setups are passed over: tool or spindle hit the machine there</source>
-        <translation>Aufspannungen sind übergangen, in denen Werkzeug oder Spindel die Maschine treffen</translation>
+        <source>setups are passed over: the machine is hit there</source>
+        <translation>Aufspannungen sind übergangen, in denen die Maschine getroffen wird</translation>
     </message>
     <message>
         <source>setups are tried for a toolpath: select a toolpath</source>
@@ -9134,6 +9166,10 @@
     <message>
         <source>the tool differs from that of the control's table</source>
         <translation>das Werkzeug weicht von dem der Werkzeugtabelle ab</translation>
+    </message>
+    <message>
+        <source>the tool dips below the plane on which the part stands</source>
+        <translation>das Werkzeug taucht unter die Ebene, auf der das Teil steht</translation>
     </message>
     <message>
         <source>the tool goes below the machine's table</source>
@@ -10064,8 +10100,8 @@
         <translation>{count} Zeilen der CL-Datei werden nicht gefräst: kein Vorschubsatz kommt ihnen näher als {tolerance}. Die erste ist Zeile {first} von {all}, die fernste Zeile {missed}, {distance} entfernt. Ist das Programm vollständig und aus dieser Datei entstanden?</translation>
     </message>
     <message>
-        <source>{count} setups that were tried are passed over, because tool or spindle hit the machine there: with the work zero at {origin} the {name} by {depth}.</source>
-        <translation>{count} geprüfte Aufspannungen sind übergangen, weil Werkzeug oder Spindel dort die Maschine treffen: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
+        <source>{count} setups that were tried are passed over, because the machine is hit there: with the work zero at {origin} the {name} by {depth}.</source>
+        <translation>{count} geprüfte Aufspannungen sind übergangen, weil dort die Maschine getroffen wird: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
     </message>
     <message>
         <source>{count} shapes of {name} move with the tool's length; they are taken for the tool, not for bodies.</source>
@@ -10814,6 +10850,14 @@
     <message>
         <source>{option} does not go together with {passes}; leave one of them out</source>
         <translation>{option} geht nicht zusammen mit {passes}; eines von beiden weglassen</translation>
+    </message>
+    <message>
+        <source>{option} has no effect without {needed} and without bodies in the machine's file; give a fixture, or leave it out</source>
+        <translation>{option} wirkt nicht ohne {needed} und ohne Körper in der Maschinendatei; eine Spannvorrichtung angeben oder die Option weglassen</translation>
+    </message>
+    <message>
+        <source>{option} has no effect without {needed}; give both, or leave it out</source>
+        <translation>{option} wirkt nicht ohne {needed}; beide angeben oder die Option weglassen</translation>
     </message>
     <message>
         <source>{option} has no effect: it is for {choice}</source>

@@ -7,9 +7,9 @@ import numpy as np
 from mesh_shapes import box
 from revolved import solid_of_revolution
 
-from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import report_finding
-from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.below_part import count_below_part
 from freecad_fiveaxis.core.pipeline.settings import build_settings
@@ -62,3 +62,32 @@ def test_a_program_tells_of_fewer_where_links_stay_near_the_part():
         counted == [1.0]
         and [one.value for one in draft.path.findings if one.code == "retract-below-part"] > counted
     )
+
+
+def dips(mesh, **more):
+    """What a job reports of the tool below what the part stands on, and its path."""
+    options = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 1.5} | more
+    draft = job.make(build_settings("mill", "part", options), mesh=mesh)
+    return [one for one in draft.findings if one.code == "dip-below-part"], draft.path
+
+
+def test_beside_a_wall_the_end_of_the_cutter_dips_below_the_part_and_a_note_says_how_deep():
+    (one,), path = dips(PART)
+    low = (path.tip + 3.0 * path.axis)[:, 2].min() - 3.0
+    assert one.severity == Severity.NOTE and one.limit == 3.0 and 2.0 < one.value <= 3.05
+    assert abs(one.value + low) < 1e-9 and abs(one.place[2] - low) < 1e-9
+
+
+def test_a_holder_that_goes_below_the_part_is_a_warning_with_its_depth():
+    (one,), path = dips(PART, holder="40x30", shank="6x20", tool_axis="facet_mean")
+    assert one.severity == Severity.WARNING and one.value > 3.05
+    place, depth = path.tip + 76.0 * path.axis, 20.0 * np.sqrt(1.0 - path.axis[:, 2] ** 2)
+    assert abs(one.value + (place[:, 2] - depth).min()) < 12.0 and "Raise the part" in one.text
+
+
+def test_a_part_that_stands_on_nothing_or_is_cut_from_below_or_has_a_fixture_there_has_no_dip(tmp_path):
+    turned = PART.vertex[PART.face] @ np.array([(0.8, 0, 0.6), (0, 1, 0), (-0.6, 0, 0.8)])
+    assert not dips(from_triangles(turned))[0]
+    assert not dips(PART, max_axis_angle=180)[0]
+    write_stl(from_triangles(box((8, 6, -20), (22, 14, 0))), tmp_path / "rest.stl")
+    assert not dips(PART, fixture=str(tmp_path / "rest.stl"))[0]

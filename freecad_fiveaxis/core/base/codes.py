@@ -227,6 +227,7 @@ class Code(str, Enum):
         "the retract to a machine position goes below where the program begins or ends",
     )
     RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
+    DIP_BELOW_PART = "dip-below-part", WARNING, "mm", "the tool dips below the plane on which the part stands"
     REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut, with the tool retracted"
     REWINDS = "rewinds", WARNING, "1", "how many times a rotary axis turns back inside a cut"
     REWINDS_BETWEEN_CUTS = (
@@ -618,7 +619,7 @@ class Code(str, Enum):
         "no-setup-free",
         ERROR,
         "mm",
-        "in all setups that were tried tool or spindle hit the machine",
+        "in all setups that were tried the machine is hit",
     )
     JAWS_FREE = "jaws-free", NOTE, "mm", "how high the jaws of a vise may reach beside the part"
     NO_STICK_OUT_FREE = (
@@ -639,7 +640,7 @@ class Code(str, Enum):
         "setups-hit-machine",
         NOTE,
         "1",
-        "setups are passed over: tool or spindle hit the machine there",
+        "setups are passed over: the machine is hit there",
     )
     STICK_OUT_ENOUGH = "stick-out-enough", NOTE, "mm", "the shortest stick-out with which the holder is free"
     STICK_OUT_TOO_SHORT = (

@@ -13,6 +13,7 @@ from __future__ import annotations
 import itertools
 import os
 import re
+import reprlib
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -21,7 +22,7 @@ from typing import Any, TypeGuard
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.pipeline.inputs import InputFile, check_files, list_inputs
-from freecad_fiveaxis.core.pipeline.job_file import beside_file, read_json
+from freecad_fiveaxis.core.pipeline.job_file import beside_file, read_json, suggest
 from freecad_fiveaxis.core.pipeline.options import machine_of
 from freecad_fiveaxis.core.pipeline.outputs import WRITTEN
 from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings, option_fields, with_current_names
@@ -33,6 +34,8 @@ TRIPLES = ("point", "lengths", "vector", "place")
 """Kinds of options whose one value may be a list of numbers."""
 LONGEST = 40
 """Characters of a value in a name."""
+KEYS = ("parts", "options")
+"""What a table may hold."""
 OWN_NAME = re.compile(r"batch(-\d+-of-\d+)?", re.IGNORECASE)
 """The names of the report over all."""
 
@@ -105,12 +108,15 @@ def _of_table(path: str, more: Mapping[str, Any]) -> tuple[list[str], Ways]:
     given = read_json(path)
     table = given if isinstance(given, dict) else {}
     parts, options = table.get("parts"), table.get("options", {})
-    if not _are_texts(parts) or not isinstance(options, dict) or set(table) - {"parts", "options"}:
+    if not _are_texts(parts) or not isinstance(options, dict) or set(table) - set(KEYS):
         text = say(
             '{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else',
             path=path,
         )
-        raise SettingsError(text, path)
+        other = [key for key in table if key not in KEYS]
+        near = next((end for key in other if (end := suggest(key, KEYS))), "")
+        unknown = say("; {key} is not known", key=reprlib.repr(other[0])) if other else ""
+        raise SettingsError(text + (near or unknown), path)
     tried = with_current_names({name.replace("-", "_"): value for name, value in options.items()}) | dict(
         more
     )

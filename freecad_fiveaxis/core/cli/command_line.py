@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.base.sentences import Option, one_line
 from freecad_fiveaxis.core.base.terminal import complain, show_error
 
 from . import tasks
+from .mistyped import correct, find_commands
 
 UNUSABLE, FAULT, STOPPED = 2, 3, 130
 REQUIRED = ("numpy", "scipy")
@@ -83,7 +84,9 @@ def _run_command(argv: Sequence[str]) -> int:
     written.clear()
     try:
         words = _with_negative_values(_with_bare_options(_with_current_flags(argv)))
-        arguments = _parser().parse_args(words)
+        parser = _parser()
+        parser.words = words
+        arguments = parser.parse_args(words)
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled) as stop:
         return _report_stop(stop)
@@ -184,13 +187,20 @@ def flag_of(name: str) -> str:
 
 
 class _Parser(argparse.ArgumentParser):
-    """Whose message is one line, whatever words were given."""
+    """Whose message is one line, whatever ``words`` were given, and names what was meant; how it is used is
+    shown where no word was given at all."""
+
+    words: Sequence[str] = ()
 
     def error(self, message: str) -> NoReturn:
-        super().error(one_line(message))
+        if not self.words and "COMMAND" in message:
+            super().error(one_line(message))
+        meant = correct(message, find_commands(self), self.words)
+        complain(f"{self.prog}: error: {one_line(message)}{meant}")
+        self.exit(UNUSABLE)
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser() -> _Parser:
     top = _Parser(
         prog="fiveaxis", description="Five-axis tool paths with a proven deviation for every block.",
         epilog="Lengths in mm, angles in deg, or with a unit: 0.5in, 2deg. Feeds in mm/min.",

@@ -106,6 +106,8 @@ def _try(settings: Settings, quiet: bool, workers: int) -> int:
     from freecad_fiveaxis.core.studies import study as trials
 
     check_inputs(settings)
+    if not quiet:
+        _complain_unused(settings)
     with bars(quiet) as progress, at_work(process_crew(workers) if workers > 1 else None) as executor:
         trial = trials.run(settings, progress, executor)
         files = trials.write_outputs(trial)

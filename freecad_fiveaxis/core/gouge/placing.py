@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -52,22 +53,42 @@ def report_placing(
 ) -> tuple[Finding, ...]:
     """Report fixtures and part that stand in bodies of the machine, and files that seem to be in other units.
     Raises FiveAxisError for the file of a body that cannot be used."""
-    return (*_report_units(machine, fixtures), *_report_in_bodies(machine, setup, part, fixtures))
+    sunk = find_sunk(machine, setup, part, fixtures)
+    return (*_report_units(machine, fixtures), *map(report_sunk, sunk))
 
 
-def _report_in_bodies(
+class Sunk(NamedTuple):
+    """The ``fixture`` by its name, None for the part, that stands in a ``body``, ``depth`` mm deep at
+    ``place`` (3,) mm at least."""
+
+    fixture: str | None
+    body: str
+    depth: float
+    place: Vector
+
+
+def find_sunk(
     machine: Machine, setup: Setup, part: Mesh | None, fixtures: Sequence[Fixture]
-) -> Iterator[Finding]:
+) -> Iterator[Sunk]:
+    """Yield what stands in which body on which it is clamped. Raises FiveAxisError for the file of a body
+    that cannot be used."""
     bodies = [one for one in machine.bodies if _is_clamped_on(machine, one)]
     meshes = [(one.name, make_mesh(one, -np.array(setup.origin))) for one in bodies]
     for name, mesh in meshes:
         for fixture in fixtures:
             found = find_overlap(fixture.mesh, mesh)
             if found is not None:
-                yield _in_body(fixture.name, name, *found)
+                yield Sunk(fixture.name, name, *found)
         found = None if part is None else find_overlap(part, mesh)
         if found is not None:
-            yield _part_in_body(name, *found)
+            yield Sunk(None, name, *found)
+
+
+def report_sunk(one: Sunk) -> Finding:
+    """Report what stands in a body."""
+    if one.fixture is None:
+        return _part_in_body(one.body, one.depth, one.place)
+    return _in_body(one.fixture, one.body, one.depth, one.place)
 
 
 def _is_clamped_on(machine: Machine, body: MachineBody) -> bool:

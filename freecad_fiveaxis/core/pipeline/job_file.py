@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 import reprlib
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from freecad_fiveaxis.core.base.curve_text import END_OF_LINE, ENDING, is_inline
@@ -32,19 +33,38 @@ def read_job(path: str) -> Settings:
         or given.get("task") not in TASKS
         or not isinstance(given.get("source"), str)
     ):
-        raise SettingsError(
-            say(
-                'job file {path} needs "task" (one of {tasks}) and "source", the file to read',
-                path=path,
-                tasks=", ".join(TASKS),
-            ),
-            path,
+        text = say(
+            'job file {path} needs "task" (one of {tasks}) and "source", the file to read',
+            path=path,
+            tasks=", ".join(TASKS),
         )
+        raise SettingsError(text + _correct_job(given), path)
     options = _unique(
         [(name.replace("-", "_"), value) for name, value in given.items() if name not in ("task", "source")]
     )
     beside = beside_file(path, options)
     return build_settings(given["task"], _beside(path, given["source"]) if given["source"] else "", beside)
+
+
+def _correct_job(given: Any) -> str:
+    """Say which task or key of a job file was meant, where that is plain; else nothing."""
+    if not isinstance(given, dict):
+        return ""
+    if given.get("task") not in TASKS and "task" in given:
+        return suggest(str(given["task"]), TASKS)
+    lacking = [key for key in ("task", "source") if key not in given]
+    return next((text for key in given if (text := suggest(key, lacking))), "")
+
+
+def suggest(word: str, known: Iterable[str]) -> str:
+    """Return the end of a sentence that names the nearest of the ``known`` words to one that is none of
+    these; nothing where none is near."""
+    close = difflib.get_close_matches(word, list(known), 1)
+    return (
+        say("; {word} stands there, do you mean {close}?", word=repr(word), close=repr(close[0]))
+        if close
+        else ""
+    )
 
 
 def read_json(path: str) -> Any:

@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.tool.body import CUTTER
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-from .below_part import count_below_part
+from .below_part import count_below_part, report_dip
 from .collision_avoidance import (
     compute_commanded_motion,
     find_uncut,
@@ -122,6 +122,7 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     settings = context.settings
     above, radius = compute_driven_to_hub(settings), settings.cutter.cutter.radius
     found = count_below_part(found, solved.path, context.mesh, above, radius)
+    found += report_dip(context, solved.path)
     wide = settings.cutter.cutter.has_level_bottom or steps_over_strips(settings)
     suspected = solved.cured or wide or context.unreached or leaves_out(found) or tells_of_less(found)
     uncut = find_uncut(context, solved.path) if suspected else ()

@@ -24,6 +24,7 @@ import math
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -44,7 +45,8 @@ from freecad_fiveaxis.core.gouge.obstacles import (
     tip_at,
 )
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
-from freecad_fiveaxis.core.orientation.axis_field import with_way_out
+from freecad_fiveaxis.core.orientation.axis_field import ALONG, main_directions, with_way_out
+from freecad_fiveaxis.core.orientation.rulings import find_rulings
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of, round_piece
@@ -175,7 +177,7 @@ def _estimate_without(
     for one in fixtures if len(rows) else ():
         others = [other for other in fixtures if other is not one]
         left = with_fixtures(replace(ground.reacher, fixtures=None), others)
-        met, _, _ = _set_on(left, ground.tree, some, every, _scale_progress(progress, 1.0, 1.0))
+        met, _, _ = _set_on(left, ground, some, every, _scale_progress(progress, 1.0, 1.0))
         if (freed := float(area[rows[met == Obstacle.NONE]].sum())) > 0.0:
             yield one.name, freed * float(area[held].sum() / area[rows].sum())
 
@@ -188,7 +190,7 @@ def _estimate_shut(ground: Ground, places: Places, area: Floats) -> float:
         return 0.0
     some = Places(places.point[rows], places.normal[rows])
     drawn = _draw_out(ground)
-    met, _, _ = _set_on(drawn, ground.tree, some, np.arange(len(rows)), silent)
+    met, _, _ = _set_on(drawn, ground, some, np.arange(len(rows)), silent)
     return float(area.sum() * area[rows[met != Obstacle.NONE]].sum() / area[rows].sum())
 
 
@@ -229,6 +231,18 @@ class Ground:
         """Of the facets, grown once in each process."""
         return facet_tree(self.mesh)
 
+    @cached_property
+    def bores(self) -> Floats:
+        """Unit vectors (d, 3), both ways, along which bores and other hollow walls of the part stand."""
+        one = find_rulings(self.mesh, np.empty((0, 3)))
+        return np.concatenate([one, -one])
+
+    @cached_property
+    def walls(self) -> Floats:
+        """Unit vectors (d, 3) along which pockets and walls of the part most likely stand: those that
+        ``auto`` tries besides its own."""
+        return main_directions(self.mesh)
+
 
 @dataclass(frozen=True, eq=False)
 class Places:
@@ -258,7 +272,7 @@ def _try_all(ground: Ground, places: Places, progress: Progress) -> Met:
     for part in batches(len(places), BATCH):
         progress("reach", 0.0)
         tight[part] = _too_tight(reacher, ground.tree, places.point[part], places.normal[part])
-    met = _set_on(reacher, ground.tree, places, np.flatnonzero(~tight), progress)
+    met = _set_on(reacher, ground, places, np.flatnonzero(~tight), progress)
     met[0][tight] = Obstacle.CUTTER
     return met
 
@@ -270,16 +284,16 @@ def _try_longer(ground: Ground, places: Places, progress: Progress) -> Ints:
     for k, more in enumerate(LONGER):
         rows = np.flatnonzero(step == none)
         longer = stick_out_farther(reacher, more)
-        met, _, _ = _set_on(
-            longer, ground.tree, places, rows, _scale_progress(progress, k / none, (k + 1) / none)
-        )
+        met, _, _ = _set_on(longer, ground, places, rows, _scale_progress(progress, k / none, (k + 1) / none))
         step[met == Obstacle.NONE] = k
     return step
 
 
-def _set_on(reacher: Reacher, tree: FacetTree, places: Places, open_: Ints, progress: Progress) -> Met:
-    """Set the tool on the ``open_`` places with all axes of each tilt, the least first, until one is free.
-    The others stay as they are before any try."""
+def _set_on(reacher: Reacher, ground: Ground, places: Places, open_: Ints, progress: Progress) -> Met:
+    """Set the tool on the ``open_`` places with all axes of each tilt, the least first, until one is free;
+    then, where only the flank is in the way, along the part's own walls, as in a bore. The others stay as
+    they are before any try."""
+    tree = ground.tree
     obstacle, tilt = np.full(len(places), int(Obstacle.LIMITS)), np.full(len(places), np.nan)
     axis = np.full((len(places), 3), np.nan)
     tilts = (*TILTS, *(tilt for tilt in UNDERCUTS if tilt < 0.5 * math.pi + reacher.cutter.undercut))
@@ -288,7 +302,38 @@ def _set_on(reacher: Reacher, tree: FacetTree, places: Places, open_: Ints, prog
             progress("reach", (k + part.start / len(open_)) / len(tilts))
             _try(reacher, tree, places.point, places.normal, angle, open_[part], obstacle, tilt, axis)
         open_ = open_[obstacle[open_] != Obstacle.NONE]
+    open_ = open_[obstacle[open_] == Obstacle.FLANK]
+    for part in batches(len(open_), BATCH):
+        _try_along_walls(reacher, ground, places, open_[part], (obstacle, tilt, axis))
     return obstacle, tilt, axis
+
+
+def _try_along_walls(reacher: Reacher, ground: Ground, places: Places, rows: Ints, met: Met) -> None:
+    """Set the tool on the places ``rows`` (k,) along the part's bores, then along its other walls; what is
+    free goes into ``met``, the axis nearest to the normal. In a bore the tool is drawn out along it;
+    elsewhere it has to end outside the part's box: a short tool that lies level under a roof is free, but
+    nothing can hold it there."""
+    obstacle, tilt, axis = met
+    for direction, bore in ((ground.bores, True), (ground.walls, False)):
+        rows = rows[obstacle[rows] == Obstacle.FLANK]
+        along = places.normal[rows] @ direction.T
+        place, way = np.nonzero((along > math.cos(ALONG)) & (along < math.cos(TILTS[-1])))
+        point, normal, tried = places.point[rows[place]], places.normal[rows[place]], direction[way]
+        some = np.flatnonzero(bore | _ends_outside(reacher, ground.mesh, point, normal, tried))
+        hit = obstacles(reacher, ground.tree, point[some], normal[some], tried[some])
+        some = some[hit == Obstacle.NONE]
+        some = some[np.lexsort((-along[place[some], way[some]], place[some]))]
+        place, first = np.unique(place[some], return_index=True)
+        at, way = rows[place], way[some[first]]
+        obstacle[at], axis[at] = Obstacle.NONE, direction[way]
+        tilt[at] = np.minimum(np.arccos(along[place, way]), UNDERCUTS[0])
+
+
+def _ends_outside(reacher: Reacher, mesh: Mesh, point: Floats, normal: Floats, axis: Floats) -> Bools:
+    """Whether (n,) the upper end of the tool on these contacts lies out of the part's box."""
+    end = tip_at(reacher.cutter, point, normal, axis) + reacher.body.reach * axis
+    low, high = mesh.box
+    return np.asarray(((end < low) | (end > high)).any(axis=1))
 
 
 def _spacing(mesh: Mesh, cutter: Cutter, facets: Bools | None) -> float:

@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base.sentences import Area, Length, Option, Sentence,
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.report.text import WIDTH, number
 
-from .reach_map import TILTS, ReachMap
+from .reach_map import TILTS, UNDERCUTS, ReachMap
 from .setup_map.sheet import Table, findings_list, findings_text, json_text, page, section, table, text_table
 
 VERSION = 2
@@ -34,11 +34,10 @@ LEAST = 1e-3
 """Of the whole area: where less is in the way of the cutter itself, what helps is not worth a line."""
 
 NOTE = (
-    "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called "
-    "reachable is, with the axis tried; what is not may still be, between those axes. Limits are those of "
-    "the rotary axes; the table counts where its height is known, fixtures where they are given, the machine "
-    "where its file names bodies. "
-    "A part of the tool may enter by the tolerance."
+    "Each place was tried with axes along the facet's normal and up to 80 deg from it, and along bores and "
+    "walls. What is called reachable is, with the axis tried; what is not may still be, between those axes. "
+    "Limits are those of the rotary axes; the table counts where its height is known, fixtures where they "
+    "are given, the machine where its file names bodies. A part of the tool may enter by the tolerance."
 )
 
 WAYS = say("Reachable is where the tool can stand; whether it gets there and away again is not asked.")
@@ -166,10 +165,11 @@ def _table(found: ReachMap) -> Table:
 
 def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
     """Tilt above, tilt up to, deg, and the area, mm2, that needs it."""
-    deg = [round(math.degrees(tilt), 6) for tilt in TILTS]
-    level = np.searchsorted(np.array(TILTS), np.where(np.isnan(found.tilt), math.inf, found.tilt - 1e-12))
-    area = np.bincount(level, found.area, len(TILTS) + 1)
-    return [(deg[max(k - 1, 0)], deg[k], float(area[k])) for k in range(len(TILTS)) if area[k] > 0.0]
+    edge = (*TILTS, *UNDERCUTS)
+    deg = [round(math.degrees(tilt), 6) for tilt in edge]
+    level = np.searchsorted(np.array(edge), np.where(np.isnan(found.tilt), math.inf, found.tilt - 1e-12))
+    area = np.bincount(level, found.area, len(edge) + 1)
+    return [(deg[max(k - 1, 0)], deg[k], float(area[k])) for k in range(len(edge)) if area[k] > 0.0]
 
 
 def reach_text(found: ReachMap, findings: Sequence[Finding] = ()) -> str:

@@ -27,7 +27,6 @@ from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, join_se
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with
-from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
 from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
@@ -44,11 +43,9 @@ from freecad_fiveaxis.core.pipeline.mill_context import find_area
 from freecad_fiveaxis.core.pipeline.options import (
     compute_driven_to_surface,
     load_setup,
-    rapids_of,
     resolve_setup,
     tip_to_driven,
     title_of,
-    tool_body,
 )
 from freecad_fiveaxis.core.pipeline.over_table import AUTO, IN_TABLE
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
@@ -71,10 +68,10 @@ from .as_milled import Seen, check_against_part, forget
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
 from .compare_beside import read_part_beside, report_entries, report_hits, stand_beside
 from .corrections import check_cures, cures
+from .in_the_room import name_machine, report_standing, watch_machine
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
 from .setup_map import (
-    Collide,
     Posting,
     Region,
     SetupMap,
@@ -106,12 +103,13 @@ class SetupTrial:
 @dataclass(frozen=True, eq=False)
 class Comparison:
     """``draft``: the program on the first machine; ``rows``: one for each machine, cure and kind of
-    control."""
+    control; ``placed``: of the findings those on how part and fixtures stand, which no row says."""
 
     settings: Settings
     draft: PostedProgram
     rows: tuple[Row, ...]
     findings: tuple[Finding, ...]
+    placed: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,6 +161,7 @@ def try_reach(
     if faces is None and most >= math.pi:  # as mill does where nobody says which facets are cut
         free = (found.obstacle == Obstacle.NONE) & standing_facets(mesh)[found.facet]
         found = replace(found, standing=float(found.area[free].sum()))
+    remarks += report_standing(settings, machine, setup, mesh, fixtures)
     remarks += area.findings + report_places(area.keep_off, mesh, area.facets, found.spacing)
     return ReachTrial(settings, found, mesh.findings + remarks + below, reacher)
 
@@ -201,16 +200,22 @@ def try_setups(
     program = _post_job(job, progress, mesh, faces, fixtures)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
-    collide = _collide(job, machine, dialect, progress)
+    held = _find_solid(program), program.fixtures
+    collide = watch_machine(program.settings, machine, dialect, base, held, progress)
     chart = setup_map(
-        program.path, machine, base, region, posting, enough, progress, table, executor, collide
-    )
+        program.path, machine, base, region, posting, enough, progress, table, executor, collide,
+        min((float(one.mesh.box[0][2]) for one in program.fixtures), default=math.inf),
+    )  # fmt: skip
     thick = settings.setup.jaw_thickness
     if chart.best is None:
         longer = with_longer_tool(chart, lambda one: _standing(one, program, machine), thick, progress)
         chart = longer or _refuse(chart)
     else:
         chart = with_room(chart, _standing(chart, program, machine), thick, progress)
+    chosen = _standing(chart, program, machine)
+    setup, solid = replace(base, origin=chosen.origin), chosen.turned_part
+    found = report_standing(program.settings, machine, setup, solid, chosen.turned_fixtures)
+    chart = replace(chart, findings=(*found, *chart.findings))
     return SetupTrial(settings, program, chart, chart.findings)
 
 
@@ -253,9 +258,23 @@ def try_machines(
     ]  # fmt: skip
     rows = compare(program.path, stations, cures(program, wanted), progress=progress, executor=executor)
     forget(program)
+    placed = _report_placed(program, stands, fixtures)
     return Comparison(
-        settings, program, rows, (*_row_findings(rows), *report_entries(rows), *report_hits(rows))
-    )
+        settings, program, rows,
+        (*placed, *_row_findings(rows), *report_entries(rows), *report_hits(rows)), placed,
+    )  # fmt: skip
+
+
+def _report_placed(
+    program: PostedProgram, stands: Sequence[tuple[Machine, Setup, Dialect]], fixtures: Sequence[Fixture]
+) -> tuple[Finding, ...]:
+    """Return how part and fixtures stand on each of the machines; what is so on all of them, once."""
+    solid = _find_solid(program)
+    each = [
+        name_machine(report_standing(program.settings, machine, setup, solid, fixtures), machine.name)
+        for machine, setup, _ in stands
+    ]
+    return tuple({one.text: one for found in each for one in found}.values())
 
 
 def _draft_for_first(
@@ -299,21 +318,9 @@ def _post_job(
     return program
 
 
-def _collide(settings: Settings, machine: Machine, dialect: Dialect, progress: Progress) -> Collide | None:
-    """Return what tool and spindle hit of the machine in a setup; None where its file names no bodies. What
-    the spindle hits of the part it hits in every setup: the program's own check tells that."""
-    if not machine.bodies:
-        return None
-
-    def collide(setup: Setup, kinematics: Chain, program: Program) -> tuple[Finding, ...]:
-        length = None if settings.machine.tool_length is None else setup.tool_length
-        given = InMachine(
-            machine, setup, kinematics, tool_body(settings), length, tip_to_driven(settings),
-            rapids_of(settings, machine, dialect), settings.gouge.fixture_clearance,
-        )  # fmt: skip
-        return check_machine(given, program, None, settings.proof.tolerance, progress)
-
-    return collide
+def _find_solid(program: PostedProgram) -> Mesh | None:
+    """Return the part of a program; None where it is not known."""
+    return program.mesh if isinstance(program, MilledProgram) else None
 
 
 def _standing(chart: SetupMap, program: PostedProgram, machine: Machine) -> Standing:
@@ -322,7 +329,7 @@ def _standing(chart: SetupMap, program: PostedProgram, machine: Machine) -> Stan
     settings, row = program.settings, chart.best or 0
     x, y, z = chart.origin[row].tolist()
     stack = Stack(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
-    part = program.mesh if isinstance(program, MilledProgram) else None
+    part = _find_solid(program)
     entering = program.entering if isinstance(program, MilledProgram) else 0.0
 
     def post(
@@ -437,7 +444,7 @@ def as_text(trial: Trial) -> str:
         return title + setup_text(trial.chart)
     if isinstance(trial, ReachTrial):
         return title + reach_text(trial.found, trial.findings)
-    return title + compare_text(trial.rows, trial.settings.proof.tolerance)
+    return title + compare_text(trial.rows, trial.settings.proof.tolerance, trial.placed)
 
 
 def as_json(trial: Trial) -> str:
@@ -445,9 +452,9 @@ def as_json(trial: Trial) -> str:
     inputs = flat_options(trial.settings)
     if isinstance(trial, ReachTrial):
         return reach_json(trial.found, inputs, trial.findings)
-    return (
-        setup_json(trial.chart, inputs) if isinstance(trial, SetupTrial) else compare_json(trial.rows, inputs)
-    )
+    if isinstance(trial, SetupTrial):
+        return setup_json(trial.chart, inputs)
+    return compare_json(trial.rows, inputs, trial.placed)
 
 
 def as_html(trial: Trial) -> str:
@@ -457,7 +464,7 @@ def as_html(trial: Trial) -> str:
         return heat_map_html(trial.chart, name)
     if isinstance(trial, ReachTrial):
         return reach_html(trial.found, name, trial.findings)
-    return compare_html(trial.rows, name, trial.settings.proof.tolerance)
+    return compare_html(trial.rows, name, trial.settings.proof.tolerance, trial.placed)
 
 
 REPORTS = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}

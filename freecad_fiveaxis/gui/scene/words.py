@@ -67,6 +67,7 @@ def short_names() -> dict[str, str]:
         "fixture-near": translate("FiveAxis", "Near a fixture"),
         "machine-near": translate("FiveAxis", "Near the machine"),
         "retract-below-part": translate("FiveAxis", "Retract below the part"),
+        "dip-below-part": translate("FiveAxis", "Dips below the part"),
         "start-through-part": translate("FiveAxis", "Start through the part"),
     }
 

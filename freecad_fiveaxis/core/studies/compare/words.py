@@ -8,10 +8,20 @@ from collections.abc import Mapping, Sequence
 from html import escape
 
 from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Number, Sentence, join_sentences, plural, say
 from freecad_fiveaxis.core.machine import find_physical_columns
 from freecad_fiveaxis.core.report.text import duration, number
-from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
+from freecad_fiveaxis.core.studies.setup_map.sheet import (
+    Table,
+    findings_list,
+    findings_text,
+    json_text,
+    page,
+    section,
+    table,
+    text_table,
+)
 
 from .beside_fixtures import find_worst_meeting, hits_fixture
 from .beside_part import enters_part, find_deepest
@@ -34,27 +44,37 @@ SHORT_HEAD = (
 axes."""
 
 
-def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
-    """Return the table for the terminal, and why cells are empty."""
+def compare_text(
+    rows: Sequence[Row], tolerance: float | None = None, findings: Sequence[Finding] = ()
+) -> str:
+    """Return the table for the terminal, why cells are empty, and the ``findings``, of which no row
+    tells."""
     lines = [
         headline(rows, tolerance),
         "",
         *text_table(_table(rows, SHORT_HEAD)),
         *(f"{key}: {text}" for key, text in (*_problems(rows), *_shares(rows))),
+        *findings_text(findings),
     ]
     return "\n".join(lines) + "\n"
 
 
-def compare_json(rows: Sequence[Row], inputs: Mapping[str, object] | None = None) -> str:
+def compare_json(
+    rows: Sequence[Row], inputs: Mapping[str, object] | None = None, findings: Sequence[Finding] = ()
+) -> str:
     """Return the rows for scripts: mm, degrees, seconds, rates a minute by letter; no number is null.
-    ``inputs``: a job file."""
-    return json_text({"version": VERSION, "rows": [_record(row) for row in rows], "inputs": inputs or {}})
+    ``inputs``: a job file; ``findings``: of which no row tells."""
+    records = [_record(row) for row in rows]
+    return json_text({"version": VERSION, "rows": records, "findings": findings, "inputs": inputs or {}})
 
 
-def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None = None) -> str:
+def compare_html(
+    rows: Sequence[Row], title: str = "", tolerance: float | None = None, findings: Sequence[Finding] = ()
+) -> str:
     """Return the table as a page that needs nothing else. ``tolerance`` mm: what is within it is named in the
-    first sentence."""
+    first sentence; ``findings``: of which no row tells."""
     body = [
+        section("Findings", findings_list(findings)),
         section("The table", table(_table(rows)) + f'<p class="note">{escape(_note(rows))}</p>'),
         section(
             "What could not be done",

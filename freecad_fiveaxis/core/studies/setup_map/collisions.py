@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""In which setups tool or spindle hit the machine: asked of the present one, and of those that would be
-recommended, one by one, until one is free.
+"""In which setups the machine is hit, by tool and spindle, or by its bodies, part or fixtures: asked of the
+present one, and of those that would be recommended, one by one, until one is free.
 
-A part that is moved by less than the depth of a hit, at the same turn, moves the tool's way against each body
-by no more: there the tool hits as well. So these are passed over without a look.
+A part that is moved by less than the depth of a hit, at the same turn, moves the tool's way, itself and its
+fixtures against each body by no more: there it is hit as well. So these are passed over without a look.
 """
 
 from __future__ import annotations
@@ -23,16 +23,15 @@ MOST_LOOKED_AT = 24
 region for."""
 
 Look = Callable[[float, Floats], tuple[Finding, ...]]
-"""What tool and spindle hit of the machine at a turn, rad, and a work zero (3,) mm, deeper than the
-tolerance."""
+"""What of the machine is hit at a turn, rad, and a work zero (3,) mm, deeper than the tolerance."""
 Choose = Callable[[Bools], int | None]
 """The row to recommend of those (k,) that may be."""
 
 
 class FreeSetup(NamedTuple):
-    """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: at least so deep tool or
-    spindle go into the machine, 0 where they hit nothing, NaN where nobody knows; ``findings`` of the best,
-    and of those that were passed over; ``least``: where none is free the row in which they hit it least."""
+    """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: at least so deep
+    something goes into the machine, 0 where nothing is hit, NaN where nobody knows; ``findings`` of the best,
+    and of those that were passed over; ``least``: where none is free the row in which it is hit least."""
 
     best: int | None
     hits: Floats
@@ -43,7 +42,7 @@ class FreeSetup(NamedTuple):
 def choose_free(
     choose: Choose, origin: Floats, turn: Floats, able: Bools, present: bool, look: Look | None
 ) -> FreeSetup:
-    """Choose the best of the rows ``able`` (k,) in which tool and spindle hit nothing of the machine;
+    """Choose the best of the rows ``able`` (k,) in which nothing of the machine is hit;
     ``present``: whether row 0 keeps the limits, and is looked at too. ``look``: None where the machine has no
     bodies. ``origin`` (k, 3) mm, ``turn`` (k,) rad."""
     hits = np.full(len(origin), np.nan)
@@ -54,6 +53,7 @@ def choose_free(
         seen[row] = look(float(turn[row]), origin[row])
         depth, away = _depth(seen[row]), np.linalg.norm(origin - origin[row], axis=1)
         near = (turn == turn[row]) & (away < depth)
+        near[list(seen)] = False  # what was looked at is known better
         hits[near] = np.fmax(hits[near], depth - away[near])
         hits[row] = depth
         best = choose(able & ~(hits > 0.0))
@@ -87,10 +87,10 @@ def _note_passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) ->
         row = next(iter(passed))
         text = plural(
             len(passed),
-            "1 setup that was tried is passed over, because tool or spindle hit the machine there: with the "
-            "work zero at {origin} the {name} by {depth}.",
-            "{count} setups that were tried are passed over, because tool or spindle hit the machine there: "
-            "with the work zero at {origin} the {name} by {depth}.",
+            "1 setup that was tried is passed over, because the machine is hit there: with the work zero at "
+            "{origin} the {name} by {depth}.",
+            "{count} setups that were tried are passed over, because the machine is hit there: with the work "
+            "zero at {origin} the {name} by {depth}.",
             origin=Point(tuple(origin[row].tolist()), ".6g"),
             **_hit(passed[row]),
         )
@@ -98,14 +98,13 @@ def _note_passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) ->
 
 
 def _none_free(least: Floats, count: int, found: tuple[Finding, ...]) -> Finding:
-    """Tell that so many setups hit the machine, ``found`` with the work zero at ``least`` (3,) mm."""
+    """Tell that in so many setups the machine is hit, ``found`` with the work zero at ``least`` (3,) mm."""
     text = plural(
         count,
-        "In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: "
-        "the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
-        "In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at "
-        "{origin}: the {name} "
-        "by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
+        "In the one setup that was tried the machine is hit, with the work zero at {origin}: the {name} by "
+        "{depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
+        "In all {count} setups that were tried the machine is hit, least with the work zero at {origin}: the "
+        "{name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
         origin=Point(tuple(least.tolist()), ".6g"),
         option=Option("origin"),
         **_hit(found),

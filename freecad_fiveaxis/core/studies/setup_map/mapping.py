@@ -30,8 +30,8 @@ from .trials import Ground, Trial, Tried, carry_out, drive, trials_of
 
 BELOW = 1e-6
 """mm below the table that are rounding."""
-Collide = Callable[[Setup, Chain, Program], tuple[Finding, ...]]
-"""What tool and spindle hit of the machine with the program of a setup."""
+Collide = Callable[[float, Setup, Chain, Program], tuple[Finding, ...]]
+"""What of the machine is hit at a turn, rad, with the program of a setup."""
 NO_COST = Cost(math.nan, math.nan, math.nan, math.nan)
 
 
@@ -47,7 +47,7 @@ class _Row:
 def setup_map(
     path: CLPath, machine: Machine, base: Setup, region: Region, posting: Posting, enough: float = 0.0,
     progress: Progress = silent, table: float | None = None, executor: Executor | None = None,
-    collide: Collide | None = None,
+    collide: Collide | None = None, held: float = math.inf,
 ) -> SetupMap:  # fmt: skip
     """Return what the program of ``path`` costs wherever the part may stand, and where it should.
 
@@ -55,10 +55,12 @@ def setup_map(
     Each setup of the grid is posted, rounded and measured as a full run would; then the least deviation of
     each turn is searched over the whole region, with a proof (module ``search``). ``enough`` mm: setups below
     this deviation are equally good, and time decides. ``table`` mm: height of the table's face in the machine
-    frame; no setup below it is searched or recommended. ``collide``: what the program hits of the machine in
-    a setup; no setup in which that is anything is recommended. ``executor``: whose workers do the trials,
-    with the same result to the last bit; None: they are done here. Raises SettingsError for a path without
-    rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
+    frame; no setup below it is searched or recommended, nor one in which fixtures, whose lowest place is
+    ``held`` mm high in the work frame, reach farther below it than in the present setup. ``collide``: what
+    of the machine is hit in a setup; no setup in which that is anything is recommended. ``executor``: whose
+    workers do the trials, with the same result to the last bit; None: they are done here. Raises
+    SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the
+    rotary limits.
     """
     if not len(path.tip):
         raise SettingsError(say("there is no path to set up: it has no rows"), 0)
@@ -66,7 +68,8 @@ def setup_map(
         raise SettingsError(
             say("a deviation of {enough} cannot be enough; give 0 or more", enough=Length(enough)), enough
         )
-    present, stand = np.array(base.origin, float), _Stand(table, float(part_box(path, posting.part)[0][2]))
+    present, bottom = np.array(base.origin, float), float(part_box(path, posting.part)[0][2])
+    stand = _Stand(table, bottom, held, base.origin[2])
     ground = Ground(path, machine, base, posting, stand.above(region), enough)
     trials = list(trials_of(region, present, ground.searched is not None))
     tried = spread(
@@ -102,7 +105,7 @@ def _look(ground: Ground, collide: Collide, progress: Progress) -> Look:
     def look(turn: float, origin: Floats) -> tuple[Finding, ...]:
         driven = drive(ground, turn, progress)
         kinematics = driven.kinematics(origin)
-        return collide(driven.setup(origin), kinematics, driven.post(kinematics)[1])
+        return collide(turn, driven.setup(origin), kinematics, driven.post(kinematics)[1])
 
     return look
 
@@ -110,15 +113,21 @@ def _look(ground: Ground, collide: Collide, progress: Progress) -> Look:
 @dataclass(frozen=True)
 class _Stand:
     """``table`` mm: height of its face, machine frame, None: not known; ``bottom`` mm: the part's lowest
-    place, work frame."""
+    place, ``held`` mm: that of its fixtures, work frame; ``present`` mm: the present Z of the work zero."""
 
     table: float | None
     bottom: float
+    held: float
+    present: float
 
     @property
     def least(self) -> float:
-        """The least Z of a work zero, mm."""
-        return -math.inf if self.table is None else self.table - self.bottom
+        """The least Z of a work zero, mm. Fixtures may reach as far below the face as they do now, as bolts
+        in its slots, where the part does not."""
+        if self.table is None:
+            return -math.inf
+        of_part, of_fixtures = self.table - self.bottom, self.table - self.held
+        return max(of_part, of_fixtures if self.present < of_part else min(of_fixtures, self.present))
 
     def above(self, region: Region) -> Region | None:
         """Return what of the region is not below the table; None where nothing is."""

@@ -55,7 +55,7 @@ def verdict(chart: SetupMap) -> Sentence:
     if not math.isfinite(now) or not chart.able[0]:
         leaves = say("In the present setup the axes leave their limits.")
         below = say("In the present setup the part reaches below the table.")
-        hits = say("In the present setup tool or spindle hit the machine.")
+        hits = say("In the present setup the machine is hit.")
         return join_sentences(
             (alone, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table)
         )
@@ -105,7 +105,7 @@ def _longer_tool(chart: SetupMap) -> Sentence:
     """Tell that what is recommended is for a longer tool."""
     assert chart.stick_out is not None and chart.stick_out.enough is not None  # it is why there is a setup
     return say(
-        "With the tool as it is tool or spindle hit the machine in every setup that was tried. With one that "
+        "With the tool as it is the machine is hit in every setup that was tried. With one that "
         "sticks out {enough} instead of {present}:",
         enough=Length(chart.stick_out.enough, ".6g"), present=Length(chart.stick_out.present, ".6g"),
     )  # fmt: skip

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces
 from freecad_fiveaxis.core.gouge.check import program_motion
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.machine_bodies import spindle_body
-from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
+from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine, is_held
 from freecad_fiveaxis.core.gouge.search import find_entries
 from freecad_fiveaxis.core.gouge.swept_motion import SweptMotion
 from freecad_fiveaxis.core.gouge.table_check import stays_above, table_slab
@@ -181,6 +181,14 @@ class Run:
             )
         )
 
+    def bodies_beside(self, name: str) -> tuple[Body, Body]:
+        """Return :attr:`above` and :attr:`apart`, as far as they are looked at beside what is called so. The
+        table's face is a plane as wide as the machine: where the machine's file says what table and base are,
+        the spindle is proven against these bodies, as by ``mill``, and not against the plane."""
+        held = any(is_held(self.stand.machine, one) for one in self.stand.machine.bodies)
+        parts = (SHANK, HOLDER) if name == TABLE and held else (SHANK, HOLDER, SPINDLE)
+        return self.above.only(*parts), self.apart.only(*parts)
+
     @property
     def leaves_limits(self) -> Met | None:
         """How far the linear axes leave their limits, if they do."""
@@ -201,7 +209,7 @@ class Run:
     def table_tree(self, height: float) -> FacetTree | None:
         """Return the table, whose face is at ``height`` mm in the program's coordinates; None where bounds
         show that nothing comes near it."""
-        if stays_above(height, self.apart, self.swept):
+        if stays_above(height, self.bodies_beside(TABLE)[1], self.swept):
             return None
         return facet_tree(table_slab(height, self.kinematics, self.program))
 
@@ -242,7 +250,7 @@ def deepest_met(name: str, tree: FacetTree, run: Run, blocks: Ints) -> Met:
     """Return the deepest of these ``blocks`` (k,), as it is told: how deep shank, holder or spindle go in, or
     that they only come nearer than the clearance."""
     tolerance = run.stand.tolerance
-    for body, near in ((run.above, False), (run.apart, True)):
+    for body, near in zip(run.bodies_beside(name), (False, True), strict=True):
         found = find_entries(body, tree, run.swept, tolerance, ROUGHLY, blocks)
         block = int(found.depth.argmax())
         deep = float(found.depth[block])

@@ -194,8 +194,9 @@ class _Lengths:
             return beyond
         for name, tree in self._obstacles(run):
             none = np.empty(0, np.int64)
+            _, body = run.bodies_beside(name)
             blocks = first_entries(
-                tree, run.apart, run.swept, self.stand.tolerance, self.suspects.get(name, none), self._quiet
+                tree, body, run.swept, self.stand.tolerance, self.suspects.get(name, none), self._quiet
             )
             if len(blocks):
                 self.suspects[name] = blocks
