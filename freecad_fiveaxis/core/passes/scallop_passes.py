@@ -223,15 +223,20 @@ class Ground(NamedTuple):
 
 
 class Surface(NamedTuple):
-    """The finer copy of the region, its frames and its metric, the largest step on a flat and the smallest,
-    mm, and how far, mm, a place may be from the nearest pass at most."""
+    """The finer copy of the region, its frames and its metric, the largest step on a flat, mm, how far, mm, a
+    place may be from the nearest pass at most, and the smallest step, mm."""
 
     copy: Copy
     frame: Frames
     metric: Floats
     flat: float
-    fine: float
     covered: float = math.inf
+    finest: float = math.inf
+
+    @property
+    def fine(self) -> float:
+        """The smallest step on a flat, mm."""
+        return min(self.flat, self.finest)
 
 
 def survey_region(region: Region, options: PassOptions) -> Ground:
@@ -307,7 +312,7 @@ def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(region.mesh.face), -1)
     place[ground.rows] = np.arange(len(ground.rows))
     metric = scallop_metric(frame, *ground.bends.take(place[copy.parent]))
-    return Surface(copy, frame, metric, ground.flat, ground.fine, region.covered or math.inf)
+    return Surface(copy, frame, metric, ground.flat, region.covered or math.inf, ground.fine)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:

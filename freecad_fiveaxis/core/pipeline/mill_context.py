@@ -60,10 +60,7 @@ from .options import axis_options, pass_options, reacher_of, travels
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .overlapping import find_buried_facets, measure_partly_buried, report_buried
 from .settings import FRAMES, Settings
-from .settings.tree import FROM_AXIS
-
-BY_FACET = "scallop"
-"""The passes whose spacing follows what the cutter is on each facet; others take one for all."""
+from .settings.tree import BY_FACET, FROM_AXIS
 
 
 class Area(NamedTuple):
