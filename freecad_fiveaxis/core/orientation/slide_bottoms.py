@@ -21,11 +21,11 @@ from .axis_field import are_free, unit
 CLEAR = 0.5
 """Of what may enter: a bottom that has slid enters by no more."""
 
-WAYS, HALVINGS = 12, 5
+WAYS, HALVINGS = 16, 5
 """Directions in which a bottom slides, and how often the shortest of these ways is halved."""
 
-SHARES = (0.25, 0.5, 0.75, 1.0, 1.05)
-"""Of the cutter's radius: how far it slides."""
+SHARES = (0.25, 0.5, 0.75, 1.0, 1.25, 1.45)
+"""Of the cutter's radius: how far it slides; out of a corner by its diagonal."""
 
 LOWER = 3.0
 """Times what may enter: so much lower the bottom meets the surface that it lies on."""
@@ -53,17 +53,27 @@ def _find_ways_out(
     reacher: Reacher, tree: FacetTree, stand: Floats, normal: Floats, progress: Progress
 ) -> tuple[Floats, Floats, Floats]:
     """Find the unit ``way`` (n, 3) on which the shortest of the slides that are tried ends free, and between
-    which shares of it, mm (n,) and (n,), the tool comes free; 0 where none does."""
-    ways, found = _ways_across(normal), np.full(len(stand), -1)
-    near, far = np.zeros(len(stand)), np.zeros(len(stand))
+    which lengths of it, mm (n,) and (n,), the tool comes free; 0 where none does."""
+    way, near, far = np.zeros_like(stand), np.zeros(len(stand)), np.zeros(len(stand))
+    ways, radius = _ways_across(normal), reacher.cutter.radius
     for shorter, longer in pairwise((0.0, *SHARES)):
-        for k in range(WAYS):
-            ask = np.flatnonzero(found < 0)
-            at = stand[ask] + longer * reacher.cutter.radius * ways[ask, k]
-            good = ask[_lies_free(reacher, tree, at, normal[ask], progress)]
-            found[good], near[good], far[good] = k, shorter, longer
-    radius = reacher.cutter.radius
-    return ways[np.arange(len(stand)), found], radius * near, radius * far
+        ask = np.flatnonzero(far == 0.0)
+        free = np.stack(
+            [
+                _lies_free(reacher, tree, stand[ask] + longer * radius * one, normal[ask], progress)
+                for one in ways[ask].transpose(1, 0, 2)
+            ],
+            axis=1,
+        )
+        row = free.any(axis=1)
+        ask, free = ask[row], free[row]
+        first = ways[ask, free.argmax(axis=1)]
+        between = unit((free[:, :, None] * ways[ask]).sum(axis=1))  # straight off a wall, halfway in a corner
+        good = _lies_free(reacher, tree, stand[ask] + longer * radius * between, normal[ask], progress)
+        good &= np.linalg.norm(between, axis=1) > 0.5
+        way[ask] = np.where(good[:, None], between, first)
+        near[ask], far[ask] = shorter * radius, longer * radius
+    return way, near, far
 
 
 def _lies_free(reacher: Reacher, tree: FacetTree, at: Floats, normal: Floats, progress: Progress) -> Bools:
