@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from .panels.lines import ink
 from .qt import QtCore, QtWidgets, main_window, translate
 
 NAME = "FiveAxisComparison"
@@ -63,7 +64,6 @@ class Table:
         column = QtWidgets.QVBoxLayout(widget)
         column.addLayout(row)
         column.addWidget(self.table)
-        self.error.setStyleSheet("color: #d0342c;")
         return widget
 
     def show_rows(self, path: Any, comparison: Any) -> None:
@@ -107,9 +107,12 @@ class Table:
             self.dock, self.document.FileName, self.label + " " + translate("FiveAxis", "machines")
         )
         if file:
-            write_asking(
-                file, lambda agreed: comparing.write(self.comparison, file, agreed), self.error.setText
-            )
+            write_asking(file, lambda agreed: comparing.write(self.comparison, file, agreed), self.say_error)
+
+    def say_error(self, text: str) -> None:
+        """Say why the table was not written, in the red of the desktop as it is by now."""
+        self.error.setStyleSheet(f"color: {ink('error')};")
+        self.error.setText(text)
 
 
 def show(path: Any, comparison: Any) -> Table:

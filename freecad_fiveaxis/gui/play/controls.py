@@ -17,11 +17,32 @@ SPEEDS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Times real time."""
 
 
+class JumpSlider(QtWidgets.QSlider):
+    """A slider whose handle comes to where it is pressed, and goes with the mouse from there: a page's step
+    of Qt's leads nowhere in a program."""
+
+    def mousePressEvent(self, event: Any) -> None:
+        """Bring the handle under the mouse, unless it is there already."""
+        style = QtWidgets.QStyle
+        handle, groove = self._find(style.SC_SliderHandle), self._find(style.SC_SliderGroove)
+        if event.button() == QtCore.Qt.LeftButton and not handle.contains(event.pos()):
+            at = event.pos().x() - groove.left() - handle.width() // 2
+            room = groove.width() - handle.width()
+            self.setValue(style.sliderValueFromPosition(self.minimum(), self.maximum(), at, room))
+        super().mousePressEvent(event)
+
+    def _find(self, part: Any) -> Any:
+        """Return where the style draws a part of the slider."""
+        option = QtWidgets.QStyleOptionSlider()
+        self.initStyleOption(option)
+        return self.style().subControlRect(QtWidgets.QStyle.CC_Slider, option, part, self)
+
+
 class Controls:
     """The widgets by name; ``widget`` goes into the panel. What they do is connected by the panel."""
 
     def __init__(self) -> None:
-        self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
+        self.slider = JumpSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("slider")
         self.slider.setRange(0, SLIDER)
         self.slider.setPageStep(SLIDER // 20)

@@ -28,6 +28,7 @@ from freecad_fiveaxis.gui.panels.choosers import MachineField
 from freecad_fiveaxis.gui.panels.fields import Field
 from freecad_fiveaxis.gui.panels.files import new_machine
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
+from freecad_fiveaxis.gui.panels.lines import ink_of
 from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget, TextArea
 from freecad_fiveaxis.gui.panels.path_panel import fit, show
 from freecad_fiveaxis.gui.panels.work_panel import give_back
@@ -40,7 +41,6 @@ from .jog import JogSliders
 
 PAUSE = 300
 """ms without a letter typed after which the machine is looked at."""
-COLOURS = {Severity.ERROR: "#d0342c", Severity.WARNING: "#b06000", Severity.NOTE: "#6b7785"}
 
 
 class EditorPanel:
@@ -202,20 +202,20 @@ class EditorPanel:
         """Say what is wrong with the machine and what it leaves open."""
         self.timer.stop()
         self.machine, problems = editing.check(self.draft, self.names)
-        lines = [(COLOURS[one.severity], wording.localize(one.text)) for one in problems]
+        lines = [(ink_of(one.severity), wording.localize(one.text)) for one in problems]
         if self.written and not self.changed:
             lines.insert(
-                0, (COLOURS[Severity.NOTE], translate("FiveAxis", "Written: {}").format(self.written))
+                0, (ink_of(Severity.NOTE), translate("FiveAxis", "Written: {}").format(self.written))
             )
         self._write(
-            lines or [(COLOURS[Severity.NOTE], translate("FiveAxis", "Nothing is wrong with this machine."))]
+            lines or [(ink_of(Severity.NOTE), translate("FiveAxis", "Nothing is wrong with this machine."))]
         )
         self._enable()
         self.jog.show_draft(self.draft)
         self._draw()
 
     def _tell(self, text: str) -> None:
-        self._write([(COLOURS[Severity.ERROR], text)])
+        self._write([(ink_of(Severity.ERROR), text)])
 
     def _write(self, lines: list[tuple[str, str]]) -> None:
         self.findings.setText(
