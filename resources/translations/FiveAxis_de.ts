@@ -2288,7 +2288,7 @@
     </message>
     <message>
         <source>High-speed mode</source>
-        <translation>Hochgeschwindigkeitsmodus</translation>
+        <translation>Hoch­geschwindigkeits­modus</translation>
     </message>
     <message>
         <source>Holder, Ø x length</source>
@@ -3644,7 +3644,7 @@
     </message>
     <message>
         <source>Work offset</source>
-        <translation>Nullpunktverschiebung</translation>
+        <translation>Nullpunkt­verschiebung</translation>
     </message>
     <message>
         <source>Work zero</source>

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from freecad_fiveaxis.app.decimal_sign import write_number
-from freecad_fiveaxis.gui.panels.wrapping import SPACING, WrappingRow
+from freecad_fiveaxis.gui.panels.wrapping import SPACING, WrappedButton, WrappedTick, WrappingRow
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.wheel import leave_wheel
 
@@ -55,14 +55,14 @@ class Controls:
         self.forward = self._button(
             "forward", icons.SP_MediaSeekForward, translate("FiveAxis", "One block on")
         )
-        self.worst, self.singular = QtWidgets.QPushButton(), QtWidgets.QPushButton()
+        self.worst, self.singular = WrappedButton(), WrappedButton()
         self.worst.setText(translate("FiveAxis", "Worst block"))
         self.worst.setToolTip(translate("FiveAxis", "Where the tip is farthest from its commanded segment"))
         self.singular.setText(translate("FiveAxis", "Next singular"))
         self.singular.setToolTip(
             translate("FiveAxis", "The next block where a rotary axis turns far to lean the tool a little")
         )
-        self.collision = QtWidgets.QPushButton()
+        self.collision = WrappedButton()
         self.name_stops(collisions=True)
         self.collision.setToolTip(
             translate(
@@ -71,7 +71,7 @@ class Controls:
                 "near to it",
             )
         )
-        self.machine, self.follow = QtWidgets.QCheckBox(), QtWidgets.QCheckBox()
+        self.machine, self.follow = WrappedTick(), WrappedTick()
         self.machine.setText(translate("FiveAxis", "On the machine"))
         self.machine.setToolTip(
             translate("FiveAxis", "Table and head move as they really will; otherwise the part stands still")

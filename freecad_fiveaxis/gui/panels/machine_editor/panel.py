@@ -32,6 +32,7 @@ from freecad_fiveaxis.gui.panels.lines import ink_of
 from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget, TextArea
 from freecad_fiveaxis.gui.panels.path_panel import fit, show
 from freecad_fiveaxis.gui.panels.work_panel import give_back
+from freecad_fiveaxis.gui.panels.wrapping import WrappedButton
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, later, translate
 
 from .axes import AxesEditor
@@ -311,7 +312,7 @@ class EditorPanel:
 
 
 def _button(name: str, text: str) -> Any:
-    button = QtWidgets.QPushButton(text)
+    button = WrappedButton(text)
     button.setObjectName(name)
     return button
 
