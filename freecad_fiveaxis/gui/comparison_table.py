@@ -48,6 +48,8 @@ class Table:
         self.error = QtWidgets.QLabel()
         for widget, name in ((self.table, "Table"), (self.save_button, "Save"), (self.verdict, "Verdict")):
             widget.setObjectName(NAME + name)
+        for label in (self.verdict, self.error):  # a long sentence would widen FreeCAD's window
+            label.setWordWrap(True)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.verticalHeader().hide()

@@ -89,3 +89,13 @@ def test_the_error_beside_a_comparison_can_be_read_on_any_desktop(desktop, windo
     table.say_error("The folder is not there.")
     assert contrast(ground, colours_of(table.error.styleSheet())[0]) >= ENOUGH
     dock.deleteLater()
+
+
+def test_long_sentences_over_a_comparison_do_not_widen_the_window(window):
+    dock = QtWidgets.QDockWidget(window)
+    table = comparison_table.Table(dock)
+    narrow = dock.widget().minimumSizeHint().width()
+    table.verdict.setText("24 of 40 ways hold 0.01 mm; the quickest is trunnion_ac. " * 5)
+    table.say_error("The folder is not there. " * 10)
+    assert dock.widget().minimumSizeHint().width() < narrow + 300
+    dock.deleteLater()

@@ -102,7 +102,7 @@ class EditorPanel:
         self.bodies.refused.connect(self._tell)
         self.bodies.attach.found.connect(lambda *_: later(self._come_to_front))
         self.jog.moved.connect(self._move)
-        self.target.edited.connect(self._check_target)
+        self.target.edited.connect(self._on_target)
         self.save_button.clicked.connect(lambda *_: self.save())
         self.prove_button.clicked.connect(lambda *_: later(self.prove))
 
@@ -202,7 +202,7 @@ class EditorPanel:
     def judge(self) -> None:
         """Say what is wrong with the machine and what it leaves open."""
         self.timer.stop()
-        self.machine, problems = editing.check(self.draft, self.names)
+        self.machine, problems = editing.check(self.draft, self._find_names())
         lines = [(ink_of(one.severity), wording.localize(one.text)) for one in problems]
         if self.written and not self.changed:
             lines.insert(
@@ -214,6 +214,11 @@ class EditorPanel:
         self._enable()
         self.jog.show_draft(self.draft)
         self._draw()
+
+    def _find_names(self) -> frozenset[str]:
+        """Return the names that are taken: that of the file written last too, where another comes next."""
+        elsewhere = self.written and self.target.value() != self.written
+        return frozenset(self.names) | ({self.kept.name} if elsewhere else frozenset())
 
     def _tell(self, text: str) -> None:
         self._write([(ink_of(Severity.ERROR), text)])
@@ -227,6 +232,11 @@ class EditorPanel:
     def _enable(self) -> None:
         self.save_button.setEnabled(not self.timer.isActive() and self.machine is not None)
         self.prove_button.setEnabled(bool(self.written) and not self.changed)
+
+    def _on_target(self) -> None:
+        if not self.filling:
+            self._check_target()
+            self.timer.start()
 
     def _check_target(self) -> bool:
         self.target.show_error("")
