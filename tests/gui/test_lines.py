@@ -84,7 +84,7 @@ def test_what_the_machine_editor_says_can_be_read_on_any_desktop(desktop, pump, 
 @GROUNDS
 def test_the_error_beside_a_comparison_can_be_read_on_any_desktop(desktop, window, ground, letters):
     desktop(ground, letters)
-    dock = QtWidgets.QDockWidget(window)
+    dock = QtWidgets.QDockWidget()
     table = comparison_table.Table(dock)
     table.say_error("The folder is not there.")
     assert contrast(ground, colours_of(table.error.styleSheet())[0]) >= ENOUGH
@@ -92,7 +92,7 @@ def test_the_error_beside_a_comparison_can_be_read_on_any_desktop(desktop, windo
 
 
 def test_long_sentences_over_a_comparison_do_not_widen_the_window(window):
-    dock = QtWidgets.QDockWidget(window)
+    dock = QtWidgets.QDockWidget()
     table = comparison_table.Table(dock)
     narrow = dock.widget().minimumSizeHint().width()
     table.verdict.setText("24 of 40 ways hold 0.01 mm; the quickest is trunnion_ac. " * 5)

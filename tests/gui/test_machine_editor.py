@@ -682,7 +682,7 @@ def test_no_german_text_is_cut(
 
 
 def test_one_machine_in_two_files_is_warned_of(
-    empty, folder, press, field, type_into, click, until, panel_button, panel_closed
+    empty, whole_screen, folder, press, field, type_into, click, until, panel_button, panel_closed
 ):
     press("FiveAxis_EditMachine", SLID)
     type_into(field("machine_name"), "mine")

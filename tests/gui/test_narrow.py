@@ -149,18 +149,21 @@ def test_every_panel_is_narrow_with_large_letters_too(name, large_letters, dome,
 
 
 def test_a_text_that_has_no_room_is_broken_between_its_words(window, pump):
-    for made in (WrappedButton("Save the report as a file"), WrappedTick("Save the report as a file")):
-        made.resize(1000, 40)
-        made.show()
-        one = made.sizeHint().height()
-        made.resize(made.minimumSizeHint().width() + 5, 400)
+    for button in (WrappedButton("Save the report as a file"), WrappedTick("Save the report as a file")):
+        button.resize(1000, 40)
+        button.show()
+        one = button.sizeHint().height()
+        button.resize(button.minimumSizeHint().width() + 5, 400)
         pump(50)
-        assert made.text() == "Save the report as a file"
-        assert made.property("text").split() == made.text().split() and "\n" in made.property("text")
-        assert made.sizeHint().height() > one and made.minimumSizeHint().width() < made.sizeHint().width() / 2
-        made.resize(1000, 400)
-        assert made.property("text") == made.text()
-        made.close()
+        assert button.text() == "Save the report as a file"
+        assert button.property("text").split() == button.text().split() and "\n" in button.property("text")
+        assert (
+            button.sizeHint().height() > one
+            and button.minimumSizeHint().width() < button.sizeHint().width() / 2
+        )
+        button.resize(1000, 400)
+        assert button.property("text") == button.text()
+        button.close()
 
 
 def test_a_label_that_stands_outside_the_panel_would_be_noticed(dome, pump, until):
