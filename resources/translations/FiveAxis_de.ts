@@ -2292,7 +2292,7 @@
     </message>
     <message>
         <source>High-speed mode</source>
-        <translation>Hochgeschwindigkeitsmodus</translation>
+        <translation>Hoch­geschwindigkeits­modus</translation>
     </message>
     <message>
         <source>Holder, Ø x length</source>
@@ -3648,7 +3648,7 @@
     </message>
     <message>
         <source>Work offset</source>
-        <translation>Nullpunktverschiebung</translation>
+        <translation>Nullpunkt­verschiebung</translation>
     </message>
     <message>
         <source>Work zero</source>

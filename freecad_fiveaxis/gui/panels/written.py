@@ -9,6 +9,7 @@ import os
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 from .summary import clock
+from .wrapping import WrappedButton
 
 NAME = "FiveAxisWritten"
 _dialogs: dict[str, Written] = {}
@@ -33,7 +34,7 @@ class Written(QtWidgets.QDialog):
             ("Folder", translate("FiveAxis", "Show folder"), self._show_folder),
             ("Close", translate("FiveAxis", "Close"), self.close),
         ):
-            button = QtWidgets.QPushButton(text)
+            button = WrappedButton(text)
             button.setObjectName(NAME + name)
             button.setAutoDefault(name == "Close")
             button.clicked.connect(lambda *_, act=act: act())
