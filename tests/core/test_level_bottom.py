@@ -107,7 +107,7 @@ def test_in_a_hollow_a_level_bottom_is_raised_by_its_sagitta():
 # ------------------------------------------------------------------------------------------ axes
 
 
-def test_axes_are_made_level_or_laid_along_the_wall_and_otherwise_stay():
+def test_axes_turn_level_or_along_the_wall_or_stay():
     lean = np.radians([0.0, 30.0, 44.0, 50.0, 59.0, 61.0, 80.0, 95.0])
     axis = np.column_stack([np.sin(lean), np.zeros(len(lean)), np.cos(lean)])
     found = np.degrees(np.arccos(np.clip(stand_level(axis, np.tile(UP, (len(lean), 1)))[:, 2], -1.0, 1.0)))
