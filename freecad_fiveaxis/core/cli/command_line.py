@@ -34,7 +34,6 @@ from freecad_fiveaxis.core.base.sentences import Option, one_line
 from freecad_fiveaxis.core.base.terminal import complain, show_error
 
 from . import tasks
-from .mistyped import correct, find_commands
 
 UNUSABLE, FAULT, STOPPED = 2, 3, 130
 REQUIRED = ("numpy", "scipy")
@@ -195,6 +194,8 @@ class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         if not self.words and "COMMAND" in message:
             super().error(one_line(message))
+        from .mistyped import correct, find_commands  # only who mistypes waits for it
+
         meant = correct(message, find_commands(self), self.words)
         complain(f"{self.prog}: error: {one_line(message)}{meant}")
         self.exit(UNUSABLE)

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from functools import cached_property
 from typing import Any
@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, lean_axis
 from freecad_fiveaxis.core.tool.barrel import Flank
-from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
+from freecad_fiveaxis.core.toolpath.cl_offset import rows_between, seat_normal
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from freecad_fiveaxis.core.toolpath.feed_direction import SHORT, feed_direction
 
@@ -41,18 +41,23 @@ from .at_pole import take_pole
 from .axis_field import (
     Nodes,
     are_free,
-    find_field,
     find_freedom,
     nearest_free,
-    raise_contacts,
     with_margin,
     with_way_out,
 )
 from .blocked_places import PART, Blocker, choose_places, choose_remedy, find_blockers, name_blocker
 from .facets_with_axis import AxisField
+from .level_bottom import TO_LEVEL, find_axes, stand_level
+from .raised_contacts import raise_contacts
+from .slide_bottoms import slide_bottoms
 
 CLOSE = 1e-6
 """Of a step: rows that much farther apart by rounding are not divided again."""
+
+SAME_SEAT, LEANS_IN = 1e-9, 1e-9
+"""Of unit normals on which a bottom sits: what differs by less is one. Sine by which rounding may make an
+axis along a wall lean into it."""
 
 FEW = 0.005
 """Of all contacts: where so few have no free axis, those are single places in corners, and no reason to check
@@ -88,7 +93,8 @@ class Contacts:
         others are not."""
         rows = np.flatnonzero((wanted & self.all_fit)[self.contact])
         into = rows[
-            (axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < -math.sin(reacher.cutter.undercut)
+            (axis[self.contact[rows]] * self.normal[rows]).sum(axis=1)
+            < -math.sin(reacher.cutter.undercut) - LEANS_IN
         ]  # leans in
         good = wanted & self.all_fit
         good[self.contact[into]] = False
@@ -143,7 +149,11 @@ def auto_axes(
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts, blockers, find_blocking)
     axis = field.at(contacts.point, contacts.mean, progress)
+    level = stand_level(axis, contacts.mean) if reacher.cutter.has_level_bottom else None
     for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
+        if level is not None:
+            good = contacts.free(level, free == Free.NONE, tool, tree, progress)
+            axis[good], free[good] = level[good], gained
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
         axis, pulled = _pull_axes(field, contacts, axis, free != Free.NONE, tool, tree, progress)
         free[pulled & (free == Free.NONE)] = gained
@@ -193,7 +203,7 @@ def refine_field(
     )
     freedom = field.freedom.join(find_freedom(more, wide, tree, field.freedom.direction, progress))
     nodes = field.nodes.join(more)
-    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
+    return AxisField(nodes, freedom, find_axes(nodes, freedom, wide, tree, progress))
 
 
 def select_rows_with_way_out(free: Ints, polyline: Ints) -> Ints:
@@ -224,30 +234,52 @@ def divide_path(
     return rows_between(path, axis, pieces, ring, barrel)[:2] if (pieces > 1).any() else (path, axis)
 
 
+def slide_path(
+    path: OffsetPath, field: AxisField, mesh: Mesh, reacher: Reacher, progress: Progress = silent
+) -> OffsetPath:
+    """Return the path with contacts slid to where the tool of ``reacher`` is free and can be drawn out, of
+    those at which the ``field`` wants it level and it is not."""
+    tree, long = facet_tree(mesh), with_way_out(reacher, facet_tree(mesh))
+    normal = seat_normal(path, reacher.cutter.ring)
+    rows = np.flatnonzero((field.at(path.point, normal, progress) * normal).sum(axis=1) > TO_LEVEL)
+    stand, _ = raise_contacts(
+        reacher, tree, (path.centre - reacher.cutter.corner * normal)[rows], normal[rows]
+    )
+    blocked = ~are_free(long, tree, stand, normal[rows], normal[rows], progress)
+    rows, slide = rows[blocked], np.zeros_like(path.point)
+    slide[rows] = slide_bottoms(long, tree, stand[blocked], normal[rows], progress)
+    return replace(path, point=path.point + slide, centre=path.centre + slide)
+
+
 def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
     """Find the contacts of ``path`` and where the tool stands there: dear, so :func:`refine_field` and
-    :func:`auto_axes` take them from whoever asks both."""
+    :func:`auto_axes` take them from whoever asks both. Where a level bottom sits on one face after the other
+    of an edge, these are contacts of their own."""
+    columns = [(path.point, SHORT), (path.before, 0.0), (path.after, 0.0)]
+    mean, normal = facet_mean(path, AxisOptions()), path.normal
+    if reacher.cutter.has_level_bottom:
+        mean = normal = seat_normal(path, reacher.cutter.ring)
+        columns.append((normal, SAME_SEAT))
     begins = np.ones(len(path.point), np.bool_)
     begins[1:] = np.diff(path.polyline) != 0
-    for column, limit in ((path.point, SHORT), (path.before, 0.0), (path.after, 0.0)):
+    for column, limit in columns:
         begins[1:] |= (np.abs(column[1:] - column[:-1]) > limit).any(axis=1)
-    contact, first = np.cumsum(begins) - 1, np.flatnonzero(begins)
-    contact, first = _join_at_seams(path, contact, first)
-    point = path.centre - reacher.cutter.corner * path.normal
-    stand, fits = raise_contacts(reacher, facet_tree(mesh), point, path.normal)
-    mean = facet_mean(path, AxisOptions())[first]
-    return Contacts(path.point[first], path.face[first], first, mean, contact, stand, path.normal, fits)
+    contact, first = _join_at_seams(path.polyline, columns, np.cumsum(begins) - 1, np.flatnonzero(begins))
+    point = path.centre - reacher.cutter.corner * normal
+    stand, fits = raise_contacts(reacher, facet_tree(mesh), point, normal)
+    return Contacts(path.point[first], path.face[first], first, mean[first], contact, stand, normal, fits)
 
 
-def _join_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:
+def _join_at_seams(
+    polyline: Ints, columns: list[tuple[Floats, float]], contact: Ints, first: Ints
+) -> tuple[Ints, Ints]:
     """Return the contact (n,) of each row and the first row (k,) of each contact, with both ends of a closed
-    polyline as one."""
-    start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
+    ``polyline`` (n,) as one: its ``columns`` are alike there within their limits."""
+    start = np.flatnonzero(np.diff(polyline, prepend=polyline[0] - 1))
     end = np.append(start[1:], len(contact)) - 1
-    same = (np.abs(path.point[start] - path.point[end]).max(axis=1) < SHORT) & (
-        path.before[start] == path.before[end]
-    ).all(axis=1)
-    same &= (path.after[start] == path.after[end]).all(axis=1)
+    same = np.ones(len(start), np.bool_)
+    for column, limit in columns:
+        same &= (np.abs(column[start] - column[end]) <= limit).all(axis=1)
     into = np.arange(len(first))
     into[contact[end[same]]] = contact[start[same]]
     kept, number = np.unique(into, return_inverse=True)

@@ -33,10 +33,8 @@ from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, obstacles, part_heights, within_limits
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
-from freecad_fiveaxis.core.gouge.search import find_entries
-from freecad_fiveaxis.core.gouge.swept_motion import still_positions
-from freecad_fiveaxis.core.tool.body import Body, round_piece
 
+from .raised_contacts import raise_contacts
 from .rulings import find_rulings
 
 NODES = 1300
@@ -65,12 +63,6 @@ ALIKE = 0.02
 
 MARGIN = 0.3
 """mm by which shank and holder are thicker at nodes: the field is to be free between them too."""
-
-RAISED = 0.25
-"""Of the corner radius: so far the tool is raised, at most, where the ball itself enters."""
-
-RAISES = 3
-"""Times that it is raised: above one facet it may enter another."""
 
 NEIGHBOURS = 12
 ROUNDS = 75
@@ -215,30 +207,6 @@ def surface_nodes(mesh: Mesh, facets: Bools, reacher: Reacher, tree: FacetTree, 
     return Nodes(point, facet, normal, *raise_contacts(reacher, tree, point, normal), spacing)
 
 
-def raise_contacts(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> tuple[Floats, Bools]:
-    """Raise contacts (n, 3) mm along their unit ``normal`` (n, 3) until a ball end is out of the part, and
-    say which (n,) are: within RAISED of its radius. Of other cutters nothing is known before their axis is:
-    they stay."""
-    cutter, stand = reacher.cutter, np.array(point, float)
-    fits = np.ones(len(point), np.bool_)
-    if cutter.ring > 0.0:
-        return stand, fits
-    ball, rows, up = (
-        Body((round_piece(0.0, cutter.corner, cutter.corner),)),
-        np.arange(len(point)),
-        np.zeros(len(point)),
-    )
-    for _ in range(RAISES + 1):
-        depth = find_entries(ball, tree, still_positions(stand[rows], normal[rows]), reacher.limit).bound
-        deep = depth > reacher.limit
-        rows, depth = rows[deep], depth[deep]
-        up[rows] += depth
-        rows = rows[up[rows] <= RAISED * cutter.corner]
-        stand[rows] = point[rows] + up[rows, None] * normal[rows]
-    fits[rows] = False
-    return stand, fits & (up <= RAISED * cutter.corner)
-
-
 def with_margin(reacher: Reacher, margin: float = MARGIN) -> Reacher:
     """Thicken shank, holder and a lollipop's neck by ``margin`` mm all round."""
     shank, holder = (
@@ -343,20 +311,19 @@ def _try_directions(
 
 
 def find_field(
-    nodes: Nodes, freedom: Freedom, reacher: Reacher, tree: FacetTree, progress: Progress = silent
-) -> Floats:
+    nodes: Nodes, freedom: Freedom, reacher: Reacher, tree: FacetTree, progress: Progress = silent,
+    strict: Bools | None = None,
+) -> Floats:  # fmt: skip
     """Find the unit axis (n, 3) of every node: free wherever any direction is, else the mean of its
-    neighbours."""
+    neighbours. ``strict`` (n,): nodes that take one of the free directions, None: only where nothing near it
+    is free."""
     _, near = scipy.spatial.cKDTree(nodes.places()).query(
         nodes.places(), k=min(NEIGHBOURS + 1, len(nodes.point))
     )
     near = near.reshape(len(nodes.point), -1)[:, 1:]
     weight = agreeing(nodes.normal[:, None], nodes.normal[near])
-    axis, some, strict = (
-        _first_guess(nodes.normal, freedom),
-        freedom.some,
-        np.zeros(len(nodes.point), np.bool_),
-    )
+    axis, some = _first_guess(nodes.normal, freedom), freedom.some
+    strict = np.zeros(len(nodes.point), np.bool_) if strict is None else strict.copy()
     for _ in range(2):
         axis = _smooth_field(axis, nodes.normal, (near, weight), freedom, strict)
         progress("axis field", 1.0)

@@ -16,7 +16,8 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 
-from .axis_field import Nodes, find_freedom, raise_contacts
+from .axis_field import Nodes, find_freedom
+from .raised_contacts import raise_contacts
 
 FREE, PART = -2, -1
 """Instead of the number of a blocker: an axis is free there; none is, whichever blocker is taken away."""

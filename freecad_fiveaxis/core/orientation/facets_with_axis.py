@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -34,7 +34,6 @@ from .axis_field import (
     Nodes,
     agreeing,
     even_directions,
-    find_field,
     find_freedom,
     main_directions,
     near_places,
@@ -45,6 +44,8 @@ from .axis_field import (
 from .beyond_limits import narrow_reasons
 from .blocked_places import PART, Blocker, choose_places, find_blockers
 from .blocking_body import find_blocking_body
+from .level_bottom import find_axes
+from .slide_bottoms import slide_bottoms
 
 OF_PART, OF_WANTED = say("of the part"), say("of what is to be machined")
 
@@ -122,8 +123,12 @@ def find_axis_field(
     tree, wide = facet_tree(mesh), with_margin(reacher)
     direction = np.concatenate([main_directions(mesh), even_directions()]) if direction is None else direction
     nodes = surface_nodes(mesh, facets, reacher, tree)
+    if reacher.cutter.has_level_bottom:
+        nodes = replace(
+            nodes, stand=nodes.stand + slide_bottoms(wide, tree, nodes.stand, nodes.normal, progress)
+        )
     freedom = find_freedom(nodes, wide, tree, direction, progress)
-    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
+    return AxisField(nodes, freedom, find_axes(nodes, freedom, wide, tree, progress))
 
 
 def select_facets(

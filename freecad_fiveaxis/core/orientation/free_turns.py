@@ -19,12 +19,13 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions
-from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
+from freecad_fiveaxis.core.toolpath.cl_offset import rows_between, seat_normal
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, take_path_rows
 
 from .auto_axis import Free, auto_axes
-from .axis_field import are_free, raise_contacts
+from .axis_field import are_free
 from .facets_with_axis import AxisField
+from .raised_contacts import raise_contacts
 
 TURN, STEP = math.radians(2.0), math.radians(5.0)
 """Turns below the first are not asked: at 100 mm from the tip the way bulges by 0.015 mm. Between samples the
@@ -56,7 +57,8 @@ def find_blocked_turns(
     cutter, tree = reacher.cutter, facet_tree(mesh)
     fine, turned, row = rows_between(path, axis, pieces, cutter.ring, cutter.barrel)
     new = np.flatnonzero(row[:-1] == row[1:])
-    point, normal = fine.centre[new] - cutter.corner * fine.normal[new], fine.normal[new]
+    normal = (seat_normal(fine, cutter.ring) if cutter.has_level_bottom else fine.normal)[new]
+    point = fine.centre[new] - cutter.corner * normal
     stand, fits = raise_contacts(reacher, tree, point, normal)
     anywhere = replace(reacher, kinematics=None, most=math.pi)
     free = are_free(anywhere, tree, stand, normal, turned[new], progress)

@@ -52,8 +52,6 @@ def spacing_radius(
     """
     if cutter.touches_as_ball:
         return cutter.radius
-    if strategy == "auto" and cutter.ring > 0.0 < cutter.corner:
-        return max(cutter.corner, 1.001 * scallop)
     if strategy == "from_axis":
         return _radius_around(cutter, mesh, np.flatnonzero(keep), options, scallop)
     travel, normal = np.array((np.cos(angle), np.sin(angle), 0.0)), mesh.normal[keep]

@@ -149,10 +149,10 @@ def auto(path: OffsetPath, options: AxisOptions) -> Floats:
     """a smooth field of axes on the surface with which cutter, shank and holder are free of the part, within
     the machine's limits
 
-    It needs part and machine: here it is only begun, as facet_mean. The correction of that name goes on from
-    there (``orientation.axis_corrections``).
+    It needs part and machine: here it is only begun, as facet_mean, or as face_normal for a level bottom. The
+    correction of that name goes on from there (``orientation.axis_corrections``).
     """
-    return facet_mean(path, options)
+    return face_normal(path, options) if options.ring > 0.0 else facet_mean(path, options)
 
 
 def fixed(path: OffsetPath, options: AxisOptions) -> Floats:

@@ -25,6 +25,7 @@ from .contact_path import ContactPath, slice_field, slice_mesh
 from .frames import Frames
 from .piece_order import order_pieces
 from .refine import Copy, copy_facets
+from .spacing_tool import SpacingTool
 from .spirals import carry, find_spirals, has_loops, merge_passes, off_levels, without_loops
 
 Vector = tuple[float, float, float]
@@ -63,7 +64,7 @@ class Region:
     apart as the cutter's, at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm
     of a flat. ``covered`` mm: so far from a pass no more than twice the scallop stays on a flat, None: as far
     as that ball leaves it. ``frames``: what sees which of them, for passes that are cut with locked rotary
-    axes."""
+    axes. ``tool``: how the cutter bends on each facet, None: everywhere as that ball."""
 
     mesh: Mesh
     keep: Bools
@@ -73,6 +74,7 @@ class Region:
     progress: Progress = field(default=silent, repr=False)
     frames: Frames | None = None
     covered: float | None = None
+    tool: SpacingTool | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -68,11 +68,15 @@ def frames(vertex: Floats, face: Ints) -> Frames:
 
 
 def scallop_metric(
-    frame: Frames, tensor: Floats, radius: float, flat: float, least: float = FLATTEST
+    frame: Frames,
+    tensor: Floats,
+    radius: Floats | float,
+    flat: Floats | float,
+    least: Floats | float = FLATTEST,
 ) -> Floats:
     """Return the metric (3, f) 1/mm2 of a ball of ``radius`` mm whose passes stand ``flat`` mm apart on a
-    flat; ``tensor`` (6, f) 1/mm as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r
-    curvature``."""
+    flat; ``tensor`` (6, f) 1/mm as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r curvature``.
+    Radius, step and least are one for all facets or (f,)."""
     xx, yy, zz, xy, yz, zx = tensor
 
     def bend(one: Floats, two: Floats) -> Floats:
@@ -103,7 +107,7 @@ def as_tensor(frame: Frames, metric: Floats) -> Floats:
     return np.asarray(a * one[rows] * one[columns] + b * mixed + d * two[rows] * two[columns])
 
 
-def _at_least(metric: Floats, least: float) -> Floats:
+def _at_least(metric: Floats, least: Floats | float) -> Floats:
     """Return the metric with no eigenvalue below ``least``."""
     a, b, d = metric
     mean, half, turn = 0.5 * (a + d), 0.5 * np.hypot(a - d, 2.0 * b), 0.5 * np.arctan2(2.0 * b, a - d)

@@ -188,30 +188,55 @@ def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
     return PassField(value, levels, surface=both)
 
 
+class Bends(NamedTuple):
+    """Of n facets: the curvature ``tensor`` (6, n) 1/mm of surface and tool, less that of a ball of
+    ``radius`` (n,) mm, the step ``flat`` (n,) mm of that ball on a flat, and the ``least`` (n,) of the
+    metric."""
+
+    tensor: Floats
+    radius: Floats
+    flat: Floats
+    least: Floats
+
+    def take(self, at: Ints) -> Bends:
+        """Pick these facets (k,)."""
+        return Bends(self.tensor[:, at], self.radius[at], self.flat[at], self.least[at])
+
+
 class Ground(NamedTuple):
-    """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, their curvature
-    ``tensor`` (6, n), frames, metric and the ``least`` of that; the step on a ``flat``, mm, and how many
-    ``squares`` of a step it has."""
+    """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, how surface and tool
+    ``bends`` there, frames and metric; the largest step on a ``flat``, mm, and how many ``squares`` of a step
+    it has."""
 
     curve: Floats | None
     rows: Ints
-    tensor: Floats
+    bends: Bends
     frame: Frames
     metric: Floats
-    least: float
     flat: float
     squares: float
 
+    @property
+    def fine(self) -> float:
+        """The smallest step on a flat, mm."""
+        return float(self.bends.flat.min(initial=self.flat))
+
 
 class Surface(NamedTuple):
-    """The finer copy of the region, its frames and its metric, the step on a flat, mm, and how far, mm, a
-    place may be from the nearest pass at most."""
+    """The finer copy of the region, its frames and its metric, the largest step on a flat, mm, how far, mm, a
+    place may be from the nearest pass at most, and the smallest step, mm."""
 
     copy: Copy
     frame: Frames
     metric: Floats
     flat: float
     covered: float = math.inf
+    finest: float = math.inf
+
+    @property
+    def fine(self) -> float:
+        """The smallest step on a flat, mm."""
+        return min(self.flat, self.finest)
 
 
 def survey_region(region: Region, options: PassOptions) -> Ground:
@@ -224,7 +249,8 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
         tensor = facet_curvature(mesh)[:, rows]
     least = FLATTEST if region.widest is None else max(FLATTEST, 1.0 / region.widest**2)
     frame = frames(mesh.vertex, mesh.face[rows])
-    metric = scallop_metric(frame, tensor, region.radius, flat, least)
+    bends = _bends_by_facet(region, options, rows, tensor, flat, least)
+    metric = scallop_metric(frame, *bends)
     squares = float((frame.area * np.sqrt(metric[0] * metric[2] - metric[1] ** 2)).sum())
     if squares > MOST_SQUARES:
         text = say(
@@ -233,7 +259,20 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
             length=Length(squares * flat, ".3g"),
         )
         raise SettingsError(text, squares * flat)
-    return Ground(curve, rows, tensor, frame, metric, least, flat, squares)
+    return Ground(curve, rows, bends, frame, metric, flat, squares)
+
+
+def _bends_by_facet(
+    region: Region, options: PassOptions, rows: Ints, tensor: Floats, flat: float, least: float
+) -> Bends:
+    """Return how surface and tool bend on the facets ``rows`` (n,)."""
+    count, tool = len(rows), region.tool
+    if tool is None or options.scallop is None or options.stepover is not None:
+        return Bends(tensor, np.full(count, region.radius), np.full(count, flat), np.full(count, least))
+    height, radius = AIM * options.scallop, tool.radius[rows]
+    step = np.minimum(2.0 * np.sqrt(height * (2.0 * radius - height)), flat)
+    narrowest = np.maximum(tool.least(rows), (step / flat) ** 2)
+    return Bends(tensor + tool.bends(rows), radius, np.maximum(step, options.least), narrowest)
 
 
 def make_surface(region: Region, ground: Ground) -> Surface:
@@ -245,7 +284,7 @@ def copy_region(region: Region, ground: Ground) -> Copy:
     """Copy the region, its facets small against the steps."""
     longest = _find_longest(region, ground)
     copy = finer_copy(region.mesh, ground.rows, as_tensor(ground.frame, ground.metric), longest)
-    return replace(copy, bend=BEND * ground.flat, short=SHORT * ground.flat)
+    return replace(copy, bend=BEND * ground.fine, short=SHORT * ground.fine)
 
 
 def _find_longest(region: Region, ground: Ground) -> float:
@@ -272,9 +311,8 @@ def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
     """Measure a copy of the region: its frames, and the metric of the facets in which its own lie."""
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(region.mesh.face), -1)
     place[ground.rows] = np.arange(len(ground.rows))
-    tensor = ground.tensor[:, place[copy.parent]]
-    metric = scallop_metric(frame, tensor, region.radius, ground.flat, ground.least)
-    return Surface(copy, frame, metric, ground.flat, region.covered or math.inf)
+    metric = scallop_metric(frame, *ground.bends.take(place[copy.parent]))
+    return Surface(copy, frame, metric, ground.flat, region.covered or math.inf, ground.fine)
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
@@ -324,10 +362,10 @@ def _gaps(
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
     tell(0.1)
     near, normal = _sample_segments(
-        contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat
+        contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.fine
     )
     tell(0.2)
-    near, normal = _thin_points(near, normal, THIN * surface.flat)
+    near, normal = _thin_points(near, normal, THIN * surface.fine)
     if not len(near):
         return np.ones(len(mesh.face), np.bool_)
     tell(0.4)

@@ -79,7 +79,8 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
     cutter = settings.cutter.cutter
     ball = cutter.touches_as_ball and cutter.corner > 0.0
     free = {"tool_axis": AUTO, "max_axis_angle": None}
-    axes = {} if settings.tool_axis.tool_axis == AUTO or not ball else free
+    leans = ball or cutter.has_level_bottom
+    axes = free if leans and settings.tool_axis.tool_axis != AUTO else {}
     yield from (one for one in (passes, axes) if one)
     if passes and axes:
         yield passes | axes

@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.orientation.auto_axis import (
     find_contacts,
     refine_field,
     select_rows_with_way_out,
+    slide_path,
 )
 from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS
 from freecad_fiveaxis.core.orientation.facets_with_axis import AxisField
@@ -88,6 +89,8 @@ def free_rows(
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
     offset, axis = divide_path(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
+    if cutter.has_level_bottom:
+        offset = slide_path(replace(offset, middle=True), field, context.obstacles, reacher, context.progress)
     stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
     progress("axis field", 0.0)
     contacts = find_contacts(offset, mesh, reacher)

@@ -23,12 +23,14 @@ from freecad_fiveaxis.core.orientation.axis_field import MARGIN
 from freecad_fiveaxis.core.orientation.facets_with_axis import (
     OF_PART,
     OF_WANTED,
+    AxisField,
     Whole,
     find_axis_field,
     select_facets,
 )
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
 from freecad_fiveaxis.core.orientation.free_in_frames import stands_in
+from freecad_fiveaxis.core.orientation.spacing_by_facet import space_by_facet
 from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of, spacing_radius
 from freecad_fiveaxis.core.passes import (
     Region,
@@ -58,7 +60,7 @@ from .options import axis_options, pass_options, reacher_of, travels
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .overlapping import find_buried_facets, measure_partly_buried, report_buried
 from .settings import FRAMES, Settings
-from .settings.tree import FROM_AXIS
+from .settings.tree import BY_FACET, FROM_AXIS
 
 
 class Area(NamedTuple):
@@ -181,7 +183,12 @@ def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
 
 
 def find_region(
-    settings: Settings, mesh: Mesh, keep: Bools, progress: Progress, frames: Frames | None = None
+    settings: Settings,
+    mesh: Mesh,
+    keep: Bools,
+    progress: Progress,
+    frames: Frames | None = None,
+    field: AxisField | None = None,
 ) -> Region:
     """Return the facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart
     as the cutter's. For what is no ball: at most as far apart as on a flat, for beyond that its bottom
@@ -210,6 +217,11 @@ def find_region(
         radius = find_radius(scallop)
         if cutter.barrel is not None:
             interval = flat_interval(radius, min(scallop, 0.5 * radius))
-        region = replace(region, radius=radius, interval=interval, widest=1.0)
+        tool = None
+        if field is not None and cutter.has_level_bottom:
+            tool = space_by_facet(field, cutter, mesh, keep, radius, scallop)
+        if tool is not None and settings.passes.passes != BY_FACET:
+            radius, tool = tool.narrowest(mesh.area * keep), None
+        region = replace(region, radius=radius, interval=interval, widest=1.0, tool=tool)
     twice = 2.0 * scallop
     return replace(region, covered=0.5 * flat_interval(find_radius(twice), twice))

@@ -46,7 +46,9 @@ def mill(context: MillContext, seen: Seen | None = None) -> MilledProgram:
 
 def begin(context: MillContext) -> Region:
     """Return what the first stage takes: the region that is cut."""
-    return find_region(context.settings, context.mesh, context.keep, context.progress, context.frames)
+    return find_region(
+        context.settings, context.mesh, context.keep, context.progress, context.frames, context.field
+    )
 
 
 def run_stages(stages: Sequence[Stage], context: MillContext, record: Any, seen: Seen | None = None) -> Any:
