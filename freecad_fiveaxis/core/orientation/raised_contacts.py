@@ -9,7 +9,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
-from freecad_fiveaxis.core.gouge.search import find_entries
+from freecad_fiveaxis.core.gouge.search import find_entries, which_enter
 from freecad_fiveaxis.core.gouge.swept_motion import still_positions
 from freecad_fiveaxis.core.tool.body import Body, body_of, round_piece
 
@@ -52,15 +52,19 @@ def raise_contacts(reacher: Reacher, tree: FacetTree, point: Floats, normal: Flo
 def raise_bottoms(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> Floats:
     """Raise contacts (n, 3) mm of a level bottom along their unit ``normal`` (n, 3), which is its axis, until
     its rim is out of a hollow: by RAISED_LEVEL of its radius at most; beyond that they stay."""
-    cutter, rows, up = body_of(reacher.cutter), np.arange(len(point)), np.zeros(len(point))
+    cutter, up = body_of(reacher.cutter), np.zeros(len(point))
     most = RAISED_LEVEL * reacher.cutter.radius
-    for _ in range(RAISES + 1):
+    rows = np.arange(len(point))
+    for height, enters in ((0.0, True), (most, False)):  # how deep is only worth knowing of what comes free
+        at = point[rows] + height * normal[rows]
+        hit = which_enter(
+            cutter, tree, still_positions(at, normal[rows]), reacher.limit, np.arange(len(rows))
+        )
+        rows = rows[hit == enters]
+    for _ in range(RAISES):
         at = point[rows] + up[rows, None] * normal[rows]
         depth = find_entries(cutter, tree, still_positions(at, normal[rows]), reacher.limit).bound
         deep = depth > reacher.limit
         rows, depth = rows[deep], depth[deep]
-        up[rows] += depth
-        up[rows[up[rows] > most]] = np.inf
-        rows = rows[np.isfinite(up[rows])]
-    up[rows] = np.inf
-    return np.asarray(point + np.where(np.isfinite(up), up, 0.0)[:, None] * normal)
+        up[rows] = np.minimum(up[rows] + depth, most)
+    return np.asarray(point + up[:, None] * normal)
