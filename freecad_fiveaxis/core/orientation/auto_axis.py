@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Number, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.gouge.obstacles import Reacher, stay_above
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, lean_axis
 from freecad_fiveaxis.core.tool.barrel import Flank
 from freecad_fiveaxis.core.toolpath.cl_offset import rows_between, seat_normal
@@ -145,30 +145,35 @@ def auto_axes(
         point = contacts.stand[first]
         return find_blockers(point, contacts.normal[first], mesh, reacher, field.freedom.direction, blockers)
 
-    free = np.zeros(len(contacts.first), np.int64)
+    free, tools = np.zeros(len(contacts.first), np.int64), (*stay_above(long), reacher)
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts, blockers, find_blocking)
     axis = field.at(contacts.point, contacts.mean, progress)
     level = stand_level(axis, contacts.mean) if reacher.cutter.has_level_bottom else None
-    for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
+    by = np.full(len(free), len(tools))
+    for number, tool in enumerate(tools):
+        gained = Free.STANDING if tool is reacher else Free.WAY_OUT
         if level is not None:
             good = contacts.free(level, free == Free.NONE, tool, tree, progress)
             axis[good], free[good] = level[good], gained
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
         axis, pulled = _pull_axes(field, contacts, axis, free != Free.NONE, tool, tree, progress)
         free[pulled & (free == Free.NONE)] = gained
+        by[(by == len(tools)) & (free != Free.NONE)] = number
     if (
         reacher.kinematics is not None and reacher.cutter.touches_as_ball
     ):  # what is no ball cuts otherwise when it leans otherwise
 
         def free_with(pole: Floats, near: Bools) -> Bools:
-            out = contacts.free(pole, near & (free == Free.WAY_OUT), long, tree, progress)
-            return out | contacts.free(pole, near & (free == Free.STANDING), reacher, tree, progress)
+            found = np.zeros(len(free), np.bool_)
+            for number, tool in enumerate(tools):
+                found |= contacts.free(pole, near & (by == number), tool, tree, progress)
+            return found
 
         axis = take_pole(axis, contacts.contact, path.polyline, reacher.kinematics, free_with)
     if options.lead or options.tilt:
-        for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
-            axis = _lean_axes(path, contacts, axis, free == gained, tool, tree, options, progress)
+        for number, tool in enumerate(tools):
+            axis = _lean_axes(path, contacts, axis, by == number, tool, tree, options, progress)
     row_free = free[contacts.contact]
     found = _findings(free, contacts, blockers, find_blocking)
     return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, found
