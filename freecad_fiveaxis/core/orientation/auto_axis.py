@@ -148,18 +148,9 @@ def auto_axes(
     free, tools = np.zeros(len(contacts.first), np.int64), (*stay_above(long), reacher)
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts, blockers, find_blocking)
-    axis = field.at(contacts.point, contacts.mean, progress)
-    level = stand_level(axis, contacts.mean) if reacher.cutter.has_level_bottom else None
-    by = np.full(len(free), len(tools))
-    for number, tool in enumerate(tools):
-        gained = Free.STANDING if tool is reacher else Free.WAY_OUT
-        if level is not None:
-            good = contacts.free(level, free == Free.NONE, tool, tree, progress)
-            axis[good], free[good] = level[good], gained
-        free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
-        axis, pulled = _pull_axes(field, contacts, axis, free != Free.NONE, tool, tree, progress)
-        free[pulled & (free == Free.NONE)] = gained
-        by[(by == len(tools)) & (free != Free.NONE)] = number
+    axis, by = _find_free_axes(field, contacts, tools, tree, progress)
+    free[by < len(tools)] = Free.WAY_OUT
+    free[by == len(tools) - 1] = Free.STANDING
     if (
         reacher.kinematics is not None and reacher.cutter.touches_as_ball
     ):  # what is no ball cuts otherwise when it leans otherwise
@@ -197,15 +188,7 @@ def refine_field(
     rows = np.flatnonzero(wanted & ~contacts.free(axis, wanted, long, tree, progress))
     if not len(rows):
         return field
-    rows = rows[:: max(1, -(-len(rows) // MORE))]
-    at = contacts.first[rows]
-    normal = contacts.mean[rows]
-    stand = contacts.stand[at] + wide.cutter.corner * (
-        contacts.normal[at] - normal
-    )  # the ball stays where it is
-    more = Nodes(
-        contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing
-    )
+    more = _nodes_at(field, contacts, rows[:: max(1, -(-len(rows) // MORE))], wide)
     freedom = field.freedom.join(find_freedom(more, wide, tree, field.freedom.direction, progress))
     nodes = field.nodes.join(more)
     return AxisField(nodes, freedom, find_axes(nodes, freedom, wide, tree, progress))
@@ -289,6 +272,56 @@ def _join_at_seams(
     into[contact[end[same]]] = contact[start[same]]
     kept, number = np.unique(into, return_inverse=True)
     return number[contact], first[kept]
+
+
+def _find_free_axes(
+    field: AxisField, contacts: Contacts, tools: Sequence[Reacher], tree: FacetTree, progress: Progress
+) -> tuple[Floats, Ints]:
+    """Return the unit axis (k, 3) of each contact, and the first of the ``tools`` that is free with it (k,);
+    their number where none is."""
+    axis, none = field.at(contacts.point, contacts.mean, progress), len(tools)
+    level = stand_level(axis, contacts.mean) if tools[0].cutter.has_level_bottom else None
+    by = np.full(len(axis), none)
+    for number, tool in enumerate(tools):
+        if level is not None:
+            good = contacts.free(level, by == none, tool, tree, progress)
+            axis[good], by[good] = level[good], number
+        by[contacts.free(axis, by == none, tool, tree, progress)] = number
+        axis, pulled = _pull_axes(field, contacts, axis, by != none, tool, tree, progress)
+        by[pulled & (by == none)] = number
+    return _raise_axes(field, contacts, axis, by, tools, tree, progress) if tools[-1].floors else (axis, by)
+
+
+def _raise_axes(
+    field: AxisField, contacts: Contacts, axis: Floats, by: Ints, tools: Sequence[Reacher], tree: FacetTree,
+    progress: Progress,
+) -> tuple[Floats, Ints]:  # fmt: skip
+    """Return the axes (k, 3), and ``by`` which of the ``tools`` each is free (k,), with those of up to MORE
+    contacts that are not free above the highest floor, and as many that are not free at all, found of all
+    directions: nodes beside them may know only axes above a floor that are not free here."""
+    kinds = (
+        np.flatnonzero(contacts.all_fit & one) for one in ((by > 0) & (by < len(tools)), by == len(tools))
+    )
+    rows = np.concatenate([one[:: max(1, -(-len(one) // MORE))] for one in kinds])
+    nodes = _nodes_at(field, contacts, rows, tools[-1])
+    freedom = find_freedom(nodes, tools[-1], tree, field.freedom.direction, progress)
+    tried, (nearest, found) = axis.copy(), nearest_free(axis[rows], nodes.normal, freedom)
+    tried[rows], rows, best = nearest, rows[found], np.full(len(by), len(tools))
+    for number, tool in enumerate(tools):
+        left = np.isin(np.arange(len(by)), rows) & (best == len(tools))
+        best[contacts.free(tried, left, tool, tree, progress)] = number
+    return np.where((best < by)[:, None], tried, axis), np.minimum(best, by)
+
+
+def _nodes_at(field: AxisField, contacts: Contacts, rows: Ints, reacher: Reacher) -> Nodes:
+    """Return contacts (k,) as nodes of the field."""
+    at, normal = contacts.first[rows], contacts.mean[rows]
+    stand = contacts.stand[at] + reacher.cutter.corner * (
+        contacts.normal[at] - normal
+    )  # the ball stays where it is
+    return Nodes(
+        contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing
+    )
 
 
 def _pull_axes(
