@@ -296,9 +296,10 @@ def _raise_axes(
     field: AxisField, contacts: Contacts, axis: Floats, by: Ints, tools: Sequence[Reacher], tree: FacetTree,
     progress: Progress,
 ) -> tuple[Floats, Ints]:  # fmt: skip
-    """Return the axes (k, 3), and ``by`` which of the ``tools`` each is free (k,), with those of up to MORE
-    contacts that are not free above the highest floor, and as many that are not free at all, found of all
-    directions: nodes beside them may know only axes above a floor that are not free here."""
+    """Return the axes (k, 3), and ``by`` which of the ``tools`` each is free (k,), with axes above a floor,
+    found of all directions, at up to MORE contacts that are not free above the highest one, and as many that
+    are not free at all. Nodes beside them may know only axes that are not free here; but the few that need a
+    low axis among those that need none stay as they are."""
     kinds = (
         np.flatnonzero(contacts.all_fit & one) for one in ((by > 0) & (by < len(tools)), by == len(tools))
     )
@@ -307,7 +308,7 @@ def _raise_axes(
     freedom = find_freedom(nodes, tools[-1], tree, field.freedom.direction, progress)
     tried, (nearest, found) = axis.copy(), nearest_free(axis[rows], nodes.normal, freedom)
     tried[rows], rows, best = nearest, rows[found], np.full(len(by), len(tools))
-    for number, tool in enumerate(tools):
+    for number, tool in enumerate(tools[: len(tools[-1].floors)]):
         left = np.isin(np.arange(len(by)), rows) & (best == len(tools))
         best[contacts.free(tried, left, tool, tree, progress)] = number
     return np.where((best < by)[:, None], tried, axis), np.minimum(best, by)
