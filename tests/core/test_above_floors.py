@@ -3,6 +3,7 @@
 finishes as much as without that."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.obstacles import Reacher, find_lower, tip_at
-from freecad_fiveaxis.core.orientation import axis_field
+from freecad_fiveaxis.core.orientation import axis_field, find_frames
 from freecad_fiveaxis.core.orientation.auto_axis import Free, auto_axes, refine_field
 from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean
@@ -23,6 +24,7 @@ from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.above_floors import find_floors
 from freecad_fiveaxis.core.pipeline.mill_context import begin_context, find_area, find_standing
 from freecad_fiveaxis.core.pipeline.options import machine_of
+from freecad_fiveaxis.core.pipeline.preview import preview_passes
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.toolpath.coedge import close_gaps
@@ -90,7 +92,7 @@ def test_there_is_no_floor_below_the_table():
     assert floors_of(BLOCK, origin=(0.0, 0.0, -150.0)) == ()
 
 
-def test_there_is_no_floor_where_the_part_stands_on_nothing_or_all_is_said():
+def test_there_is_no_floor_where_the_part_stands_on_nothing_or_angle_faces_or_a_fixture_are_given():
     turned = BLOCK.vertex[BLOCK.face] @ np.array([(0.8, 0, 0.6), (0, 1, 0), (-0.6, 0, 0.8)])
     assert floors_of(from_triangles(turned)) == ()
     assert floors_of(BLOCK, max_axis_angle=90) == ()
@@ -101,11 +103,8 @@ def test_there_is_no_floor_where_the_part_stands_on_nothing_or_all_is_said():
 
 
 def test_an_angle_or_faces_that_are_given_leave_the_axes_as_they_were():
-    faces = ~standing_facets(BLOCK)
-    for more in ({"faces": faces}, {"max_axis_angle": 90}):
-        assert measure_dip(make(BLOCK, **HOLDER, **more)) > 17.0 or "max_axis_angle" in more
-    steep = make(BLOCK, **HOLDER, max_axis_angle=90).path
-    assert (20.0 * np.sqrt(1.0 - steep.axis[:, 2] ** 2) > 19.0).any()
+    for more in ({"faces": ~standing_facets(BLOCK)}, {"max_axis_angle": 90}):
+        assert measure_dip(make(BLOCK, **HOLDER, **more)) > 17.0
 
 
 def test_a_node_has_lower_axes_only_where_none_above_the_floor_is_free():
@@ -156,3 +155,28 @@ def test_the_way_from_an_axis_to_a_lower_one_is_seen():
     assert not find_lower(reacher, point, normal, level, level).any()
     assert not find_lower(reacher, point, normal, up, level).any()
     assert not find_lower(BALL, point, normal, level, up).any()
+
+
+@pytest.mark.parametrize(("lost", "above"), [(0, True), (3, False)])
+def test_frames_above_a_floor_are_taken_only_where_they_see_as_much(monkeypatch, lost, above):
+    def find(mesh, facets, reacher, *rest):
+        frame = np.zeros(1000, np.int64)
+        frame[: lost if reacher.floors else 0] = -1
+        return SimpleNamespace(frame=frame, floors=reacher.floors), facets, ()
+
+    monkeypatch.setattr(find_frames, "_find_frames", find)
+    facets = ~standing_facets(BLOCK)
+    frames, _, _ = find_frames.find_frames(BLOCK, facets, replace(BALL, floors=LOW), np.pi)
+    assert (frames.floors == LOW) == above
+
+
+def test_the_preview_of_frames_shows_those_of_the_program():
+    """Those above the floor are more."""
+    wanted = build_settings("mill", "part", OPTIONS | {"passes": "frames"})
+    shown, draft = preview_passes(wanted, mesh=KNOB), make(KNOB, passes="frames")
+    (one,), (other,) = (
+        [a for a in found if a.code == "frames"] for found in (shown.findings, draft.findings)
+    )
+    assert str(one.text) == str(other.text)
+    given = make(KNOB, ~standing_facets(KNOB), passes="frames").findings
+    assert str(one.text) not in [str(a.text) for a in given]
