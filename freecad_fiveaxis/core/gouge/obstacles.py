@@ -67,7 +67,8 @@ class Reacher:
     any axis will do; ``most`` rad: the largest angle from +Z that is wanted; ``far`` mm: so far along its
     axis it must be free to be drawn out. ``machine``: its bodies, None: it has none, or they are not looked
     at. ``fixtures``: those, work frame, that are asked by themselves once the part is not in the way; None:
-    there are none, or what is asked holds part and fixtures together."""
+    there are none, or what is asked holds part and fixtures together. ``floors`` mm, falling: as ``table``,
+    but an axis goes below one where none above it is free."""
 
     cutter: Cutter
     shank: tuple[tuple[float, float], ...] = ()
@@ -79,6 +80,7 @@ class Reacher:
     far: float = 0.0
     machine: MachineInPose | None = None
     fixtures: Mesh | None = None
+    floors: tuple[float, ...] = ()
 
     @property
     def body(self) -> Body:
@@ -128,6 +130,24 @@ def obstacles(
         rows = np.flatnonzero(met == Obstacle.NONE)
         met[rows[hit(rows)]] = obstacle
     return met
+
+
+def stay_above(reacher: Reacher) -> tuple[Reacher, ...]:
+    """Return the tool above each of its floors, the highest first, then down to the table."""
+    return (*(replace(reacher, table=floor) for floor in reacher.floors), reacher)
+
+
+def find_lower(reacher: Reacher, point: Floats, normal: Floats, axis: Floats, instead: Floats) -> Bools:
+    """Find where (n,) of contacts ``point`` (n, 3) mm with unit ``normal`` (n, 3) the tool goes below one of
+    its floors with the unit ``axis`` (n, 3), and not with ``instead`` (n, 3)."""
+    lower, body, limit = np.zeros(len(point), np.bool_), reacher.body, reacher.limit
+    for floor in reacher.floors:
+        low, high = (
+            is_below(body, tip_at(reacher.cutter, point, normal, one), one, floor, limit)
+            for one in (axis, instead)
+        )
+        lower |= low & ~high
+    return lower
 
 
 def stick_out_farther(reacher: Reacher, more: float) -> Reacher:

@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Number, Point, Sentence, join_sentences, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.gouge.obstacles import Reacher, stay_above
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, lean_axis
 from freecad_fiveaxis.core.tool.barrel import Flank
 from freecad_fiveaxis.core.toolpath.cl_offset import rows_between, seat_normal
@@ -145,30 +145,26 @@ def auto_axes(
         point = contacts.stand[first]
         return find_blockers(point, contacts.normal[first], mesh, reacher, field.freedom.direction, blockers)
 
-    free = np.zeros(len(contacts.first), np.int64)
+    free, tools = np.zeros(len(contacts.first), np.int64), (*stay_above(long), reacher)
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts, blockers, find_blocking)
-    axis = field.at(contacts.point, contacts.mean, progress)
-    level = stand_level(axis, contacts.mean) if reacher.cutter.has_level_bottom else None
-    for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
-        if level is not None:
-            good = contacts.free(level, free == Free.NONE, tool, tree, progress)
-            axis[good], free[good] = level[good], gained
-        free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
-        axis, pulled = _pull_axes(field, contacts, axis, free != Free.NONE, tool, tree, progress)
-        free[pulled & (free == Free.NONE)] = gained
+    axis, by = _find_free_axes(field, contacts, tools, tree, progress)
+    free[by < len(tools)] = Free.WAY_OUT
+    free[by == len(tools) - 1] = Free.STANDING
     if (
         reacher.kinematics is not None and reacher.cutter.touches_as_ball
     ):  # what is no ball cuts otherwise when it leans otherwise
 
         def free_with(pole: Floats, near: Bools) -> Bools:
-            out = contacts.free(pole, near & (free == Free.WAY_OUT), long, tree, progress)
-            return out | contacts.free(pole, near & (free == Free.STANDING), reacher, tree, progress)
+            found = np.zeros(len(free), np.bool_)
+            for number, tool in enumerate(tools):
+                found |= contacts.free(pole, near & (by == number), tool, tree, progress)
+            return found
 
         axis = take_pole(axis, contacts.contact, path.polyline, reacher.kinematics, free_with)
     if options.lead or options.tilt:
-        for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
-            axis = _lean_axes(path, contacts, axis, free == gained, tool, tree, options, progress)
+        for number, tool in enumerate(tools):
+            axis = _lean_axes(path, contacts, axis, by == number, tool, tree, options, progress)
     row_free = free[contacts.contact]
     found = _findings(free, contacts, blockers, find_blocking)
     return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, found
@@ -192,15 +188,7 @@ def refine_field(
     rows = np.flatnonzero(wanted & ~contacts.free(axis, wanted, long, tree, progress))
     if not len(rows):
         return field
-    rows = rows[:: max(1, -(-len(rows) // MORE))]
-    at = contacts.first[rows]
-    normal = contacts.mean[rows]
-    stand = contacts.stand[at] + wide.cutter.corner * (
-        contacts.normal[at] - normal
-    )  # the ball stays where it is
-    more = Nodes(
-        contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing
-    )
+    more = _nodes_at(field, contacts, rows[:: max(1, -(-len(rows) // MORE))], wide)
     freedom = field.freedom.join(find_freedom(more, wide, tree, field.freedom.direction, progress))
     nodes = field.nodes.join(more)
     return AxisField(nodes, freedom, find_axes(nodes, freedom, wide, tree, progress))
@@ -284,6 +272,57 @@ def _join_at_seams(
     into[contact[end[same]]] = contact[start[same]]
     kept, number = np.unique(into, return_inverse=True)
     return number[contact], first[kept]
+
+
+def _find_free_axes(
+    field: AxisField, contacts: Contacts, tools: Sequence[Reacher], tree: FacetTree, progress: Progress
+) -> tuple[Floats, Ints]:
+    """Return the unit axis (k, 3) of each contact, and the first of the ``tools`` that is free with it (k,);
+    their number where none is."""
+    axis, none = field.at(contacts.point, contacts.mean, progress), len(tools)
+    level = stand_level(axis, contacts.mean) if tools[0].cutter.has_level_bottom else None
+    by = np.full(len(axis), none)
+    for number, tool in enumerate(tools):
+        if level is not None:
+            good = contacts.free(level, by == none, tool, tree, progress)
+            axis[good], by[good] = level[good], number
+        by[contacts.free(axis, by == none, tool, tree, progress)] = number
+        axis, pulled = _pull_axes(field, contacts, axis, by != none, tool, tree, progress)
+        by[pulled & (by == none)] = number
+    return _raise_axes(field, contacts, axis, by, tools, tree, progress) if tools[-1].floors else (axis, by)
+
+
+def _raise_axes(
+    field: AxisField, contacts: Contacts, axis: Floats, by: Ints, tools: Sequence[Reacher], tree: FacetTree,
+    progress: Progress,
+) -> tuple[Floats, Ints]:  # fmt: skip
+    """Return the axes (k, 3), and ``by`` which of the ``tools`` each is free (k,), with axes above a floor,
+    found of all directions, at up to MORE contacts that are not free above the highest one, and as many that
+    are not free at all. Nodes beside them may know only axes that are not free here; but the few that need a
+    low axis among those that need none stay as they are."""
+    kinds = (
+        np.flatnonzero(contacts.all_fit & one) for one in ((by > 0) & (by < len(tools)), by == len(tools))
+    )
+    rows = np.concatenate([one[:: max(1, -(-len(one) // MORE))] for one in kinds])
+    nodes = _nodes_at(field, contacts, rows, tools[-1])
+    freedom = find_freedom(nodes, tools[-1], tree, field.freedom.direction, progress)
+    tried, (nearest, found) = axis.copy(), nearest_free(axis[rows], nodes.normal, freedom)
+    tried[rows], rows, best = nearest, rows[found], np.full(len(by), len(tools))
+    for number, tool in enumerate(tools[: len(tools[-1].floors)]):
+        left = np.isin(np.arange(len(by)), rows) & (best == len(tools))
+        best[contacts.free(tried, left, tool, tree, progress)] = number
+    return np.where((best < by)[:, None], tried, axis), np.minimum(best, by)
+
+
+def _nodes_at(field: AxisField, contacts: Contacts, rows: Ints, reacher: Reacher) -> Nodes:
+    """Return contacts (k,) as nodes of the field."""
+    at, normal = contacts.first[rows], contacts.mean[rows]
+    stand = contacts.stand[at] + reacher.cutter.corner * (
+        contacts.normal[at] - normal
+    )  # the ball stays where it is
+    return Nodes(
+        contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing
+    )
 
 
 def _pull_axes(

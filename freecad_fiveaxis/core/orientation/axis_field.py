@@ -31,7 +31,15 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, obstacles, part_heights, within_limits
+from freecad_fiveaxis.core.gouge.obstacles import (
+    Obstacle,
+    Reacher,
+    find_lower,
+    obstacles,
+    part_heights,
+    stay_above,
+    within_limits,
+)
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 
 from .raised_contacts import raise_contacts
@@ -253,7 +261,8 @@ def find_freedom(
 ) -> Freedom:
     """Try ``direction`` (d, 3) and the own normals at all nodes where the ball fits.
 
-    Only where no axis lets the tool be drawn out along it, it is enough that the tool is free as it stands.
+    Only where no axis above a floor is free, lower ones are tried; and only where none lets the tool be drawn
+    out along it, it is enough that the tool is free as it stands.
     ``along_walls``: they may lean by ALONG, else by WIDEST."""
     direction = direction[within_limits(reacher, direction)]
     rows, height = np.arange(len(nodes.point)), part_heights(tree, nodes.normal)
@@ -263,12 +272,12 @@ def find_freedom(
         most = math.cos(max(reacher.most - (ALONG - WIDEST), 0.0))
         tried |= (along > math.cos(ALONG)) & (direction[:, 2] > most)
     tried &= nodes.fits[:, None]
-    found = _try_directions(
-        nodes, rows, with_way_out(reacher, tree), tree, direction, tried, height, progress
-    )
-    if len(held := rows[nodes.fits & ~found.some]):
-        here = _try_directions(nodes, held, reacher, tree, direction, tried[held], height[held], progress)
-        found.free[held], found.upright[held], found.met[held] = here.free, here.upright, here.met
+    first, *others = (*stay_above(with_way_out(reacher, tree)), reacher)
+    found = _try_directions(nodes, rows, first, tree, direction, tried, height, progress)
+    for tool in others:
+        if len(held := rows[nodes.fits & ~found.some]):
+            here = _try_directions(nodes, held, tool, tree, direction, tried[held], height[held], progress)
+            found.free[held], found.upright[held], found.met[held] = here.free, here.upright, here.met
     return found
 
 
@@ -328,6 +337,8 @@ def find_field(
         axis = _smooth_field(axis, nodes.normal, (near, weight), freedom, strict)
         progress("axis field", 1.0)
         strict[some] |= ~are_free(reacher, tree, nodes.stand[some], nodes.normal[some], axis[some])
+        nearest, _ = nearest_free(axis, nodes.normal, freedom)
+        strict |= find_lower(with_way_out(reacher, tree), nodes.stand, nodes.normal, axis, nearest)
     nearest, _ = nearest_free(axis, nodes.normal, freedom)
     return np.where((strict & some)[:, None], nearest, axis)
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import scipy
@@ -60,6 +61,9 @@ SOONER = 1e-3
 """Of a cosine: by that the earlier of two frames is taken that see a place alike, so that a plane is not cut
 in both."""
 
+LESS = 5e-4
+"""Of the places: so few may be unseen by frames above a floor that others see."""
+
 NEIGHBOURS, ROUNDS, TOGETHER = 8, 4, 0.2
 """Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in the
 frame of all of them."""
@@ -94,10 +98,22 @@ def find_frames(
     left out.
 
     ``reacher``: tool, machine and table; ``most`` rad: the largest angle from +Z that was wanted; ``whole``:
-    of what shares are told, None: of the mesh. Raises ReachError where nothing is left, SettingsError for
-    sizes that no tool has.
+    of what shares are told, None: of the mesh. Frames above the floors of the ``reacher`` are taken only
+    where they see as much as those without. Raises ReachError where nothing is left, SettingsError for sizes
+    that no tool has.
     """
     whole = Whole(float(mesh.area.sum()), OF_PART) if whole is None else whole
+    free = _find_frames(mesh, facets, replace(reacher, floors=()), most, count, progress, whole)
+    if not reacher.floors:
+        return free
+    above = _find_frames(mesh, facets, reacher, most, count, progress, whole)
+    seen, seen_above = ((one[0].frame >= 0).mean() for one in (free, above))
+    return above if seen_above >= seen - LESS else free
+
+
+def _find_frames(
+    mesh: Mesh, facets: Bools, reacher: Reacher, most: float, count: int, progress: Progress, whole: Whole
+) -> tuple[Frames, Bools, tuple[Finding, ...]]:
     tree, wide = facet_tree(mesh), with_margin(reacher)
     nodes = surface_nodes(mesh, facets, reacher, tree)
     freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress, False)

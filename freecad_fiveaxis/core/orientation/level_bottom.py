@@ -19,7 +19,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
-from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.gouge.obstacles import Reacher, find_lower
 
 from .axis_field import Freedom, Nodes, are_free, find_field, unit, with_way_out
 
@@ -53,7 +53,9 @@ def stand_level_where_free(
     """Return the axes (n, 3) of nodes, level or along the wall wherever the tool is free so."""
     level = stand_level(axis, nodes.normal)
     rows = np.flatnonzero(freedom.some & (np.abs(level - axis).max(axis=1) > 1e-9))
-    good = are_free(with_way_out(reacher, tree), tree, nodes.stand[rows], nodes.normal[rows], level[rows])
+    long, stand, normal = with_way_out(reacher, tree), nodes.stand[rows], nodes.normal[rows]
+    good = are_free(long, tree, stand, normal, level[rows])
+    good &= ~find_lower(long, stand, normal, level[rows], axis[rows])
     found = axis.copy()
     found[rows[good]] = level[rows[good]]
     return found

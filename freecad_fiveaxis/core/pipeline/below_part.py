@@ -50,7 +50,7 @@ def report_dip(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     itself there is none: the tool stays above that. A fixture below the part is looked at by itself."""
     standing, area, low = standing_facets(context.mesh), context.mesh.area, context.mesh.box[0]
     cut = area[standing & context.keep].sum() > CUT * area[standing].sum()
-    if not standing.any() or cut or _fixture_below(context):
+    if not standing.any() or cut or has_fixture_below(context):
         return ()
     lowest = _find_lowest(context, path)
     row = int(lowest.argmin())
@@ -87,7 +87,7 @@ def _find_lowest(context: MillContext, path: CLPath) -> Floats:
     return np.asarray(tip - body_support(tool_body(context.settings), -along))
 
 
-def _fixture_below(context: MillContext) -> bool:
+def has_fixture_below(context: MillContext) -> bool:
     """Tell whether a fixture reaches below the part, at least under some of it."""
     low, high = context.mesh.box
     boxes = [one.mesh.box for one in context.fixtures]

@@ -62,7 +62,7 @@ class MillContext(JobContext):
     ``keep_off``: faces to avoid on which there is an allowance; ``bodies``: of the machine, which axes are
     chosen to keep out of, None: there are none, or axes are not chosen;
     ``fixtures``: that stand beside the part; ``unreached``: whether facets are left out because nothing
-    reaches them."""
+    reaches them; ``floors``: as of a Reacher, for what the part stands on."""
 
     mesh: Mesh
     keep: Bools
@@ -75,6 +75,7 @@ class MillContext(JobContext):
     bodies: MachineInPose | None = None
     fixtures: tuple[Fixture, ...] = ()
     unreached: bool = False
+    floors: tuple[float, ...] = ()
 
     @property
     def obstacles(self) -> Mesh:

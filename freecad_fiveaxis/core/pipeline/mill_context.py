@@ -49,6 +49,7 @@ from freecad_fiveaxis.core.passes.frames import Frames
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.passes.radial_passes import unit_axis
 
+from .above_floors import find_floors
 from .avoided import facets_off, keep_off_of
 from .blockers import list_blockers
 from .bounded import boundary_of, facets_inside
@@ -56,7 +57,7 @@ from .collision_avoidance import tells_of_less
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis
 from .machine_around import bodies_in_pose
-from .options import axis_options, pass_options, reacher_of, travels
+from .options import axis_options, pass_options, reacher_in, travels
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .overlapping import find_buried_facets, measure_partly_buried, report_buried
 from .settings import FRAMES, Settings
@@ -134,7 +135,8 @@ def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillCo
     check_passes(settings, mesh, facets & facets_under_axes(mesh, most))
     within = with_room(context.kinematics)
     bodies = bodies_in_pose(settings, machine, within, mesh, context.fixtures, progress, MARGIN)
-    reacher = reacher_of(settings, machine, context.kinematics, mesh, bodies)
+    context = replace(context, bodies=bodies, floors=find_floors(context, standing))
+    reacher = reacher_in(context)
     to_cut = np.append(facets, np.zeros(len(context.obstacles.face) - len(facets), np.bool_))
     reports = report_standing(mesh, standing & context.keep) + report_part_in_table(settings, machine, mesh)
     field, frames, whole = None, None, name_whole(mesh, context.chosen)
@@ -143,9 +145,9 @@ def _choose_with_axes(context: MillContext, faces: Bools | None) -> tuple[MillCo
         frames, keep, left_out = find_frames(context.obstacles, to_cut, reacher, most, count, progress, whole)
     else:
         field = find_axis_field(context.obstacles, to_cut, reacher, progress)
-        fixtures = [one for one in list_blockers(replace(context, bodies=bodies)) if one.name]
+        fixtures = [one for one in list_blockers(context) if one.name]
         keep, left_out = select_facets(field, context.obstacles, to_cut, most, reacher, fixtures, whole)
-    context = replace(context, keep=keep[: len(facets)], field=field, frames=frames, bodies=bodies)
+    context = replace(context, keep=keep[: len(facets)], field=field, frames=frames)
     return context, reports + left_out
 
 

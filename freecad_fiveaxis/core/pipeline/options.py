@@ -194,7 +194,8 @@ def reacher_of(
 
 def reacher_in(context: MillContext) -> Reacher:
     """Return the same of a job's context."""
-    return reacher_of(context.settings, context.machine, context.kinematics, context.mesh, context.bodies)
+    reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh, context.bodies)
+    return replace(reacher, floors=context.floors)
 
 
 def lead_options(context: MillContext) -> LeadOptions:

@@ -34,8 +34,13 @@ def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> floa
 def table_below(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:
     """Give the height of the table's face in the work frame, mm; None where it is not known or the part lies
     in it."""
-    table = _table_height(settings, machine)
-    return None if machine.table is None or float(mesh.box[0][2]) < table - IN_TABLE else table
+    into = reaches_into_table(settings, machine, mesh)
+    return None if machine.table is None or into else _table_height(settings, machine)
+
+
+def reaches_into_table(settings: Settings, machine: Machine, mesh: Mesh) -> bool:
+    """Tell whether a part lies in the table as it is placed: where that is, is not known."""
+    return float(mesh.box[0][2]) < _table_height(settings, machine) - IN_TABLE
 
 
 def table_looked_at(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:
@@ -48,7 +53,7 @@ def report_part_in_table(settings: Settings, machine: Machine, mesh: Mesh) -> tu
     """Say that a part reaches below the table as it is placed, where undersides are not cut for that
     reason."""
     free = settings.passes.max_axis_angle is None and settings.tool_axis.tool_axis == AUTO
-    if not free or machine.table is None or table_below(settings, machine, mesh) is not None:
+    if not free or not reaches_into_table(settings, machine, mesh):
         return ()
     low = float(mesh.box[0][2])
     text = say(

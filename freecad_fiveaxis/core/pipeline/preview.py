@@ -34,13 +34,14 @@ from freecad_fiveaxis.core.passes import (
 from freecad_fiveaxis.core.passes.scallop import flat_interval
 from freecad_fiveaxis.core.toolpath.cl_offset import cl_offset_path
 
+from .above_floors import find_floors
 from .bounded import cut_by_hub
 from .context import MillContext
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import choose_facets
 from .machine_around import bodies_in_pose
 from .mill_context import Area, begin_context, find_area, find_region, find_standing, name_whole
-from .options import machine_of, reacher_of, read_scallop
+from .options import machine_of, reacher_in, read_scallop
 from .over_table import AUTO, largest_axis_angle
 from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
 from .records import PlannedPasses
@@ -142,14 +143,13 @@ def _context(
         followed = None if keeps_its_axis(settings, machine) else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, area.facets)
     else:
-        wanted = context.keep & ~find_standing(settings, mesh, faces)
+        standing = find_standing(settings, mesh, faces)
+        wanted = context.keep & ~standing
         keep = wanted & facets_under_axes(mesh, most)
         if settings.passes.passes == FRAMES:  # they are what the passes lie in
             bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, (), progress, MARGIN)
-            reacher, count = (
-                reacher_of(settings, machine, kinematics, mesh, bodies),
-                int(settings.passes.frames),
-            )
+            context = replace(context, bodies=bodies, floors=find_floors(context, standing))
+            reacher, count = reacher_in(context), int(settings.passes.frames)
             frames, keep, left_out = find_frames(
                 context.obstacles, wanted, reacher, most, count, progress, name_whole(mesh, context.chosen)
             )
