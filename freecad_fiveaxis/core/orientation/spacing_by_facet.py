@@ -16,7 +16,7 @@ import math
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes.spacing_tool import SpacingTool
 from freecad_fiveaxis.core.tool import Cutter
