@@ -57,8 +57,8 @@ def test_a_word_that_is_near_to_none_is_named_alone(typed):
     ("job", "meant"),
     [
         ({"task": "mil", "source": "part.stl"}, "do you mean 'mill'?"),
-        ({"task": "mill", "sorce": "part.stl"}, "do you mean 'source'?"),
-        ({"taks": "mill", "source": "part.stl"}, "do you mean 'task'?"),
+        ({"task": "mill", "sourec": "part.stl"}, "do you mean 'source'?"),
+        ({"tasak": "mill", "source": "part.stl"}, "do you mean 'task'?"),
     ],
 )
 def test_a_misspelt_key_or_task_of_a_job_file_is_named_with_what_was_meant(typed, tmp_path, job, meant):

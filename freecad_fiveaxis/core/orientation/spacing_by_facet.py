@@ -16,7 +16,7 @@ import math
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes.spacing_tool import SpacingTool
 from freecad_fiveaxis.core.tool import Cutter
@@ -56,12 +56,6 @@ def space_by_facet(
     soft = np.where(level | flank, wide, np.maximum(across, hard))
     turned = unit(np.cross(normal, axis))
     way = np.where(flank[:, None], axis, turned)
-    return SpacingTool(*_for_all(len(keep), rows, wide, hard, soft, way))
-
-
-def _for_all(
-    count: int, rows: np.ndarray, wide: float, hard: Floats, soft: Floats, way: Floats
-) -> tuple[Floats, Floats, Floats]:
-    radius, softer, along = np.full(count, wide), np.full(count, wide), np.zeros((count, 3))
+    radius, softer, along = np.full(len(keep), wide), np.full(len(keep), wide), np.zeros((len(keep), 3))
     radius[rows], softer[rows], along[rows] = hard, soft, way
-    return radius, softer, along
+    return SpacingTool(radius, softer, along)
