@@ -2292,7 +2292,7 @@
     </message>
     <message>
         <source>High-speed mode</source>
-        <translation>Hoch­geschwindigkeits­modus</translation>
+        <translation>Hochgeschwindigkeitsmodus</translation>
     </message>
     <message>
         <source>Holder, Ø x length</source>
@@ -3648,7 +3648,7 @@
     </message>
     <message>
         <source>Work offset</source>
-        <translation>Nullpunkt­verschiebung</translation>
+        <translation>Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>Work zero</source>

@@ -581,17 +581,3 @@ def test_a_path_without_blocks_and_a_thing_that_is_no_path_are_refused_in_words(
     with pytest.raises(FiveAxisError, match="no toolpath"):
         play.show(dome(doc))
     assert panel.current() is None and "FiveAxisPlay" not in children(doc)
-
-
-def test_a_click_on_the_slider_jumps_to_the_place(doc, opened, click, until):
-    from freecad_fiveaxis.gui.qt import QtCore
-
-    shown = opened(toolpath(doc))
-    slider = shown.controls.slider
-    for share in (0.75, 0.25):
-        click(slider, QtCore.QPoint(round(share * slider.width()), slider.height() // 2))
-        until(lambda: abs(shown.player.share() - share) < 0.05, 20000, f"{share} of the program")  # noqa: B023
-    at = shown.player.share()
-    click(slider, QtCore.QPoint(round(at * slider.width()) + 2, slider.height() // 2))
-    until(lambda: not slider.isSliderDown(), 20000, "the mouse let go")
-    assert shown.player.share() == at, "the handle under the mouse stays where it is"

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
 
 LIGHT = {"error": "#d0342c", "warning": "#a05600", "note": "#5f6b78"}
@@ -20,11 +19,6 @@ def ink(kind: str) -> str:
     probe.ensurePolished()
     dark = probe.palette().color(QtGui.QPalette.WindowText).lightness() > 127
     return (DARK if dark else LIGHT)[kind]
-
-
-def ink_of(severity: int) -> str:
-    """Return the colour of a note, a warning or an error on the desktop as it is."""
-    return ink(Severity(severity).name.lower())
 
 
 def error_line(name: str) -> Any:

@@ -26,7 +26,6 @@ from freecad_fiveaxis.gui.waiting import waiting
 from .form import Form
 from .panel_widget import PanelWidget, shorten_title
 from .summary import Summary
-from .wrapping import WrappedButton
 
 DRAWN = 500
 """ms after which something new is drawn."""
@@ -48,7 +47,7 @@ class PathPanel:
         self.draft, self.gone = obj is None, False
         self.step = OpenStep(doc, title)
         self.calculated: dict[str, Any] | None = None
-        self.calculate_button = WrappedButton(translate("FiveAxis", "Calculate"))
+        self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
         self.summary, self.shown_parts = self.SUMMARY(), ShownParts()
         self.form = self._widget(title)

@@ -24,7 +24,6 @@ from freecad_fiveaxis.gui.waiting import waiting
 from .form import Form
 from .panel_widget import PanelWidget
 from .path_panel import reveal, show
-from .wrapping import WrappedButton
 
 P = TypeVar("P", bound="WorkPanel")
 
@@ -43,7 +42,7 @@ class WorkPanel:
         self.done: Any = None
         self.temporary_document = ""
         self.calculated: dict[str, Any] | None = None
-        self.calculate_button = WrappedButton(translate("FiveAxis", "Calculate"))
+        self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
         self.result = QtWidgets.QTextBrowser()
         self.result.setObjectName("result")
