@@ -259,7 +259,7 @@ def test_a_flat_cutter_finishes_a_block_with_what_the_panel_offers(
     panel = toolpath.create(block)
     pump(300)
     choose(field("cutter_kind"), "flat end mill")
-    until(lambda: panel.options.options()["tool_axis"] == "auto", 20000, "auto")
+    until(lambda: panel.options.options()["tool_axis"] == "face_normal", 20000, "face_normal")
     panel.options.show_options({"cutter": "flat:16", "stepover": 10.0, "spindle": 6000, "tool_length": 120.0})
     pump(300)
     screenshot("flat_panel")

@@ -331,9 +331,9 @@ def test_the_tool_axis_follows_cutter_and_passes_until_another_is_chosen(dome, f
     stands = lambda: panel.options.options()["tool_axis"]  # noqa: E731
     assert (panel.options.options()["passes"], stands()) == ("scallop", "auto")
     for name, choice, usual in (
-        ("cutter_kind", "bull nose mill", "auto"),
-        ("passes", "parallel planes", "face_normal"),
-        ("cutter_kind", "ball end mill", "facet_mean"),
+        ("cutter_kind", "bull nose mill", "face_normal"),
+        ("cutter_kind", "ball end mill", "auto"),
+        ("passes", "parallel planes", "facet_mean"),
         ("passes", "constant scallop", "auto"),
         ("tool_axis", "least deviation (minimax)", "minimax"),
         ("cutter_kind", "flat end mill", "minimax"),

@@ -197,6 +197,7 @@ def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright
         lambda: np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6), 20000, "the tool upright"
     )
     view_of(doc).fitAll()
+    until(lambda: path.ViewObject.Proxy.picture is not None, 20000, "the path is drawn")
     screenshot("play_on_the_machine")
     assert "riser" in {body.name for body in shown.stage.machine.bodies}, "the part floats over its table"
     part = layout.middle_of(part_on_screen(shown, doc))
