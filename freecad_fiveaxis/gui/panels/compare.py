@@ -33,8 +33,7 @@ class ComparePanel:
     def __init__(self, path: Any) -> None:
         from freecad_fiveaxis.app import comparing, machines
 
-        self.path, self.doc = path, path.Document
-        self.title = translate("FiveAxis", "Compare machines")
+        self.path, self.title = path, translate("FiveAxis", "Compare machines")
         able = [one for one in machines.choices() if not one.error]
         self.machines = _list("machines", [(one.machine, one.label) for one in able], {path.Machine})
         cures = comparing.cures()
@@ -99,7 +98,6 @@ class ComparePanel:
         from freecad_fiveaxis.app import comparing
         from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
-        self.length.want()
         self.show_error("")
         machines, cures = find_ticked(self.machines), find_ticked(self.cures)
         if not machines or not cures:

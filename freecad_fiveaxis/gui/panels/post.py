@@ -40,7 +40,7 @@ class PostPanel:
     """Writes the Toolpath ``path``."""
 
     def __init__(self, path: Any) -> None:
-        self.path, self.doc = path, path.Document
+        self.path = path
         title = translate("FiveAxis", "The NC file to write")
         self.file = SaveField("nc_path", title, nc_files(), title, translate("FiveAxis", "Name the NC file."))
         self.error = error_line("post_error")
@@ -138,7 +138,6 @@ class PostPanel:
         from freecad_fiveaxis.core.report import summary
 
         if self.spindle is not None:
-            self.spindle.want()
             self.spindle.check()
         nc, reports = self._nc_path(), self._report_paths()
         for path in (nc, *reports.values()):

@@ -7,8 +7,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import FreeCAD
-
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from . import result_html
@@ -36,7 +34,7 @@ class RecoverPanel(WorkPanel):
         self.target = new_machine()
         self.save_button = QtWidgets.QPushButton(translate("FiveAxis", "Save the report…"))
         self.save_button.setObjectName("page")
-        form = Form("recover", FreeCAD.ActiveDocument, _sections(), [self.cl_file, self.program, self.target])
+        form = Form("recover", None, _sections(), [self.cl_file, self.program, self.target])
         super().__init__(translate("FiveAxis", "Recover a machine"), form, (self.save_button,))
         self.save_button.clicked.connect(lambda *_: self.save())
         self.program.edited.connect(self._propose)

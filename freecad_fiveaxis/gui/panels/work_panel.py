@@ -81,7 +81,6 @@ class WorkPanel:
         """Do the work and show what was found; whether that went well."""
         self.options.want()
         if not self.options.check():
-            self.options.point_out()
             return False
         try:
             with waiting(self.title):
@@ -129,10 +128,6 @@ class WorkPanel:
     def accept(self) -> bool:
         """OK: calculate if that is not done, write, close. The panel stays where something cannot be used or
         is not agreed to."""
-        if not self.options.settle():  # the number before it was computed, and nobody means that
-            self.options.point_out()
-            reveal(self.form)
-            return False
         if self.stale and not self.calculate():
             return False
         files = self.files(self.done)

@@ -242,9 +242,8 @@ class EditorPanel:
 
     def save(self) -> bool:
         """Write the machine as a new file; whether that went well."""
-        for field in (*self._fields(), self.target):
-            field.want()
         self.judge()
+        self.target.want()
         refused = next((reason for field in self._fields() if (reason := field.refusal())), "")
         if refused:
             self._tell(wording.localize(refused))
