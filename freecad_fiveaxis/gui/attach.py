@@ -59,11 +59,8 @@ class Observer:
         _look_again(obj.Document)
 
     def slotDeletedDocument(self, doc: Any) -> None:
-        """Forget what a document held that is closed, and close the panel over it."""
+        """Forget what a document held that is closed."""
         _forget(doc)
-        panels = _panels()
-        if panels is not None:
-            panels.close_with(doc)
 
     def slotRecomputedDocument(self, doc: Any) -> None:
         """Take away what says "out of date", where it is so no more."""
@@ -169,11 +166,6 @@ def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
 
 def _tell_panel(doc: Any) -> None:
     """Let the panel that is open, if there is one, see whether what it shows is still right."""
-    panels = _panels()
+    panels = sys.modules.get(f"{__package__}.panels.path_panel")
     if panels is not None:
         panels.look_again(doc)
-
-
-def _panels() -> Any:
-    """Return the module that knows the panel which is open; None where none was opened yet."""
-    return sys.modules.get(f"{__package__}.panels.path_panel")

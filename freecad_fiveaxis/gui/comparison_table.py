@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from .panels.lines import ink
 from .qt import QtCore, QtWidgets, main_window, translate
 
 NAME = "FiveAxisComparison"
@@ -48,8 +47,6 @@ class Table:
         self.error = QtWidgets.QLabel()
         for widget, name in ((self.table, "Table"), (self.save_button, "Save"), (self.verdict, "Verdict")):
             widget.setObjectName(NAME + name)
-        for label in (self.verdict, self.error):  # a long sentence would widen FreeCAD's window
-            label.setWordWrap(True)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.verticalHeader().hide()
@@ -66,6 +63,7 @@ class Table:
         column = QtWidgets.QVBoxLayout(widget)
         column.addLayout(row)
         column.addWidget(self.table)
+        self.error.setStyleSheet("color: #d0342c;")
         return widget
 
     def show_rows(self, path: Any, comparison: Any) -> None:
@@ -109,12 +107,9 @@ class Table:
             self.dock, self.document.FileName, self.label + " " + translate("FiveAxis", "machines")
         )
         if file:
-            write_asking(file, lambda agreed: comparing.write(self.comparison, file, agreed), self.say_error)
-
-    def say_error(self, text: str) -> None:
-        """Say why the table was not written, in the red of the desktop as it is by now."""
-        self.error.setStyleSheet(f"color: {ink('error')};")
-        self.error.setText(text)
+            write_asking(
+                file, lambda agreed: comparing.write(self.comparison, file, agreed), self.error.setText
+            )
 
 
 def show(path: Any, comparison: Any) -> Table:

@@ -35,11 +35,6 @@ class PreferenceBoxes:
         for box in self.by_key.values():
             box.refusal_changed.connect(self._tell)
 
-    def settle(self) -> None:
-        """Read what is being typed."""
-        for box in self.by_key.values():
-            box.settle()
-
     def refusal(self) -> str:
         """Return why what was typed cannot be read, in the user's language; nothing where it can."""
         reasons = [box.reason for box in self.by_key.values() if box.reason]

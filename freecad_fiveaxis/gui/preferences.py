@@ -14,8 +14,8 @@ import FreeCADGui
 
 from freecad_fiveaxis.app import preferences
 
-from .messages import warn
-from .qt import QtGui, QtWidgets, later, resource, translate
+from .messages import status
+from .qt import QtGui, QtWidgets, resource, translate
 
 GROUP = "FiveAxis"
 """The page's group; its icon is ``preferences-fiveaxis.svg`` among FreeCAD's icon paths."""
@@ -61,13 +61,8 @@ class Page:
 
     def saveSettings(self) -> None:
         """Keep what was changed; the boxes round, so a number that nobody touched stays as it was."""
-        self.boxes.settle()
-        refusal = self.boxes.refusal()
-        if refusal:  # FreeCAD closes the dialog whatever its pages say
-            text = translate(
-                "FiveAxis", "{reason}. The value before is kept: open the preferences again to change it."
-            )
-            later(lambda: warn(text.format(reason=refusal)))
+        if self.boxes.refusal():
+            status(self.boxes.refusal())
         for key, value in self._all_shown().items():
             if value != self.loaded[key]:
                 preferences.write(key, value)

@@ -2292,7 +2292,7 @@
     </message>
     <message>
         <source>High-speed mode</source>
-        <translation>Hoch­geschwindigkeits­modus</translation>
+        <translation>Hochgeschwindigkeitsmodus</translation>
     </message>
     <message>
         <source>Holder, Ø x length</source>
@@ -3187,10 +3187,6 @@
         <translation>Der Fräser geht {depth} zu tief ins Werkstück.</translation>
     </message>
     <message>
-        <source>The document was closed, and the task panel with it.</source>
-        <translation>Das Dokument wurde geschlossen und mit ihm der Aufgabendialog.</translation>
-    </message>
-    <message>
         <source>The faces of a mesh have no names: choose a solid, or {option} on the command line.</source>
         <translation>Die Flächen eines Netzes haben keine Namen: einen Volumenkörper wählen, oder {option} auf der Kommandozeile.</translation>
     </message>
@@ -3648,7 +3644,7 @@
     </message>
     <message>
         <source>Work offset</source>
-        <translation>Nullpunkt­verschiebung</translation>
+        <translation>Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>Work zero</source>
@@ -4523,10 +4519,6 @@
     <message>
         <source>{over_tolerance} blocks are over the tolerance; this is the worst.</source>
         <translation>{over_tolerance} NC-Sätze liegen über der Toleranz; dieser ist der schlimmste.</translation>
-    </message>
-    <message>
-        <source>{reason}. The value before is kept: open the preferences again to change it.</source>
-        <translation>{reason}. Der bisherige Wert bleibt: Zum Ändern die Einstellungen wieder öffnen.</translation>
     </message>
     <message>
         <source>{share} % reached</source>

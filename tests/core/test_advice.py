@@ -158,10 +158,3 @@ def test_the_command_line_advises_where_something_is_left_and_where_it_is_reques
     assert read_message("--passes", "planes") == [] == read_message("--advise")
     (found,) = read_message("--passes", "planes", "--advise")
     assert found["severity"] == "note" and found["unit"] == "mm2" and found["value"] > 400.0
-
-
-def test_a_level_bottom_on_its_normals_is_tried_with_free_axes():
-    """They are its default; who took the normals, or has a document of before, hears what they would gain."""
-    normal = {**GIVEN, "cutter": "flat:6", "passes": "scallop", "tool_axis": "face_normal"}
-    first = next(iter(advice.find_changes(build_settings("mill", "x.stl", normal))))
-    assert first == {"tool_axis": "auto", "max_axis_angle": None}

@@ -124,7 +124,7 @@ def find_left(result, radius):
 @pytest.mark.parametrize("strategy", ["auto", "face_normal"])
 def test_on_a_box_plane_faces_are_finished_up_to_their_edges(cutter, radius, rise, strategy, milled):
     """By dense samples of the real way; of a corner that part counts that rises by ``rise`` mm."""
-    result = milled(cutter) if strategy == "auto" else milled(cutter, tool_axis=strategy)
+    result = milled(cutter) if strategy == "face_normal" else milled(cutter, tool_axis=strategy)
     assert result.settings.tool_axis.tool_axis == strategy
     left = find_left(result, radius)
     allowed = compute_allowed_rest(result.settings, result.mesh, result.keep)

@@ -237,9 +237,8 @@ def mill_pocket(name, **options):
 
 
 @pytest.mark.thorough
-def test_a_pocket_is_finished_by_default_and_half_of_it_on_its_normals(pocket_file):
-    free = mill_pocket(pocket_file)
-    assert free.settings.tool_axis.tool_axis == "auto"
+def test_a_pocket_is_finished_with_free_axes_and_not_on_its_normals(pocket_file):
+    free = mill_pocket(pocket_file, tool_axis="auto")
     assert share_finished(free, 2.0) > 0.99
     assert not [one.code for one in free.findings if one.code in ("overcut", "rapid-collision")]
     normal = mill_pocket(pocket_file, tool_axis="face_normal")

@@ -78,9 +78,7 @@ def test_former_names_are_those_of_no_option_and_lead_to_one():
      ({"plane_normal": "0,1,1"}, "planes", "facet_mean"), ({"passes": "zlevel"}, "zlevel", "facet_mean"),
      ({"passes": "planes", "tool_axis": "auto"}, "planes", "auto"), ({"direction": 0, "tool_axis": "auto"}, "planes", "auto"),
      ({"direction": 0, "passes": "scallop"}, "scallop", "auto"), ({"cutter": "taperball:4:5deg"}, "scallop", "auto"),
-     ({"cutter": "bull:10:2"}, "scallop", "auto"),
-     ({"cutter": "bull:10:2", "passes": "radial"}, "radial", "face_normal"), ({"cutter": "flat:6", "direction": 0}, "planes", "face_normal"),
-     ({"cutter": "flat:6", "tool_axis": "auto"}, "scallop", "auto")],
+     ({"cutter": "bull:10:2"}, "scallop", "face_normal"), ({"cutter": "flat:6", "tool_axis": "auto"}, "scallop", "auto")],
 )  # fmt: skip
 def test_strategies_that_are_not_named_are_chosen_by_what_is_requested(options, passes, tool_axis):
     settings = mill(**options)

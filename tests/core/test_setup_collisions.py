@@ -183,7 +183,7 @@ def test_where_a_longer_tool_is_free_it_is_reported_and_mill_with_it_hits_nothin
     record = json.loads(report.read_text())
     codes = [one["code"] for one in record["findings"]]
     assert "no-setup-free" in codes and "stick-out-too-short" in codes
-    assert "hit the machine in every setup that was tried. With one that sticks out 54" in reported
+    assert "the machine is hit in every setup that was tried. With one that sticks out 54" in reported
     found, best = record["stick_out"], record["setups"][record["best"]]
     assert found["enough"] == pytest.approx(54.0, abs=0.15) and found["met"]["entered"] == "post"
     assert best["machine_hit"] == pytest.approx(4.0, abs=0.1)

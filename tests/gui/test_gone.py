@@ -2,13 +2,12 @@
 """Undo is pressed, or something deleted, while a panel is open that has computed it: the panel shows nothing
 that is not in the document, works on, and Cancel still takes all of it back."""
 
-import FreeCAD
 import FreeCADGui
 import pytest
 from conftest import QtWidgets, close_all
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.gui.panels import audit, compare, post, reach, setup, toolpath
+from freecad_fiveaxis.gui.panels import post, reach, toolpath
 from freecad_fiveaxis.gui.panels.path_panel import DRAWN
 
 pytestmark = pytest.mark.usefixtures("kept")
@@ -117,32 +116,3 @@ def test_a_document_that_is_closed_right_after_calculate_does_no_harm(doc, dome,
     close_all(doc.Name)
     pump(2 * DRAWN)  # a message box of an error that nobody foresaw would fail the test
     assert FreeCADGui.getMainWindow() and QtWidgets.QApplication.activeModalWidget() is None
-
-
-OVER_A_PATH = {"toolpath": toolpath.edit, "post": post.write, "compare": compare.create, "setup": setup.create,
-               "reach": reach.create_of, "audit": lambda path: audit.create(path.Document)}  # fmt: skip
-
-
-@pytest.mark.parametrize("kind", OVER_A_PATH)
-def test_a_panel_closes_with_its_document(kind, doc, dome, until, panel_closed, window):
-    """What it could still do would be to fail: Calculate and OK ended in errors that nobody foresaw."""
-    path = app.create_toolpath(doc, dome, **OPTIONS)
-    OVER_A_PATH[kind](path)
-    until(FreeCADGui.Control.activeDialog, 10000, "a panel")
-    FreeCAD.closeDocument(FreeCAD.newDocument().Name)
-    assert FreeCADGui.Control.activeDialog(), "that was another one's"
-    FreeCAD.closeDocument(doc.Name)
-    panel_closed()
-    until(lambda: "panel with it" in window.statusBar().currentMessage(), 10000, "why it closed")
-
-
-def test_a_panel_that_was_closed_before_leaves_that_of_another_document_alone(doc, dome, pump):
-    post.write(app.create_toolpath(doc, dome, **OPTIONS))
-    FreeCADGui.Control.closeDialog()
-    other = FreeCAD.newDocument()
-    pump(300)
-    audit.create(other)
-    FreeCAD.closeDocument(doc.Name)
-    pump(500)
-    assert FreeCADGui.Control.activeDialog()
-    close_all(other.Name)

@@ -679,18 +679,3 @@ def test_no_german_text_is_cut(
     modal("Nicht speichern")
     panel_button("Close")
     panel_closed()
-
-
-def test_one_machine_in_two_files_is_warned_of(
-    empty, whole_screen, folder, press, field, type_into, click, until, panel_button, panel_closed
-):
-    press("FiveAxis_EditMachine", SLID)
-    type_into(field("machine_name"), "mine")
-    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
-    click(field("save"))
-    until(lambda: "Written" in findings(field), 20000, "the file")
-    assert "a name of its own" not in findings(field)
-    type_into(field("machine_file"), str(folder / "second.fcm"))
-    until(lambda: "a name of its own" in findings(field), 20000, "that the lists would have two of it")
-    panel_button("Close")
-    panel_closed()

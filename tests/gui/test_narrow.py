@@ -5,7 +5,7 @@ stands outside the dock."""
 import FreeCAD
 import FreeCADGui
 import pytest
-from conftest import QtCore, QtGui, QtWidgets
+from conftest import QtWidgets
 from test_workshop import cut
 
 from freecad_fiveaxis import app
@@ -22,7 +22,7 @@ from freecad_fiveaxis.gui.panels import (
     setup,
     toolpath,
 )
-from freecad_fiveaxis.gui.panels.wrapping import WrappedButton, WrappedTick, find_lines
+from freecad_fiveaxis.gui.panels.wrapping import find_lines
 
 ROOM = 232 if int(FreeCAD.Version()[0]) < 1 else 300
 """Pixels within FreeCAD 0.20's task panel as it stands at first in a window of 1280 by 800; 1.1's, whose boxes
@@ -117,53 +117,6 @@ def test_every_panel_fits_the_task_panel_of_an_old_freecad(
     screenshot(f"narrow232_{name}_{language}")
     opened.reject()
     pump(100)
-
-
-@pytest.fixture
-def large_letters(window, pump):
-    """German in letters of 14 points, and a task panel of 220 pixels."""
-    application = QtWidgets.QApplication.instance()
-    before, docks = application.font(), ("Combo View", "Tasks", "Model")
-    shown = [one for one in window.findChildren(QtWidgets.QDockWidget) if one.objectName() in docks]
-    font = QtGui.QFont(before)
-    font.setPointSize(14)
-    FreeCADGui.setLocale("German")
-    application.setFont(font)
-    window.resizeDocks(shown, [220] * len(shown), QtCore.Qt.Horizontal)
-    pump(300)
-    yield
-    application.setFont(before)
-    FreeCADGui.setLocale("English")
-    window.resizeDocks(shown, [250] * len(shown), QtCore.Qt.Horizontal)
-    pump(300)
-
-
-@pytest.mark.parametrize("name", [*OPENED, *OF_PATH])
-def test_every_panel_is_narrow_with_large_letters_too(name, large_letters, dome, doc, pump, until):
-    opened = (OPENED | OF_PATH)[name](app.create_toolpath(doc, dome, **OPTIONS) if name in OF_PATH else dome)
-    pump(200)
-    widen(opened)
-    until(lambda: opened.form.minimumSizeHint().width() <= ROOM, 5000, "a form as narrow as the panel")
-    opened.reject()
-    pump(100)
-
-
-def test_a_text_that_has_no_room_is_broken_between_its_words(window, pump):
-    for button in (WrappedButton("Save the report as a file"), WrappedTick("Save the report as a file")):
-        button.resize(1000, 40)
-        button.show()
-        one = button.sizeHint().height()
-        button.resize(button.minimumSizeHint().width() + 5, 400)
-        pump(50)
-        assert button.text() == "Save the report as a file"
-        assert button.property("text").split() == button.text().split() and "\n" in button.property("text")
-        assert (
-            button.sizeHint().height() > one
-            and button.minimumSizeHint().width() < button.sizeHint().width() / 2
-        )
-        button.resize(1000, 400)
-        assert button.property("text") == button.text()
-        button.close()
 
 
 def test_a_label_that_stands_outside_the_panel_would_be_noticed(dome, pump, until):

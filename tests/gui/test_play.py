@@ -197,6 +197,7 @@ def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright
         lambda: np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6), 20000, "the tool upright"
     )
     view_of(doc).fitAll()
+    until(lambda: path.ViewObject.Proxy.picture is not None, 20000, "the path is drawn")
     screenshot("play_on_the_machine")
     assert "riser" in {body.name for body in shown.stage.machine.bodies}, "the part floats over its table"
     part = layout.middle_of(part_on_screen(shown, doc))
@@ -581,17 +582,3 @@ def test_a_path_without_blocks_and_a_thing_that_is_no_path_are_refused_in_words(
     with pytest.raises(FiveAxisError, match="no toolpath"):
         play.show(dome(doc))
     assert panel.current() is None and "FiveAxisPlay" not in children(doc)
-
-
-def test_a_click_on_the_slider_jumps_to_the_place(doc, opened, click, until):
-    from freecad_fiveaxis.gui.qt import QtCore
-
-    shown = opened(toolpath(doc))
-    slider = shown.controls.slider
-    for share in (0.75, 0.25):
-        click(slider, QtCore.QPoint(round(share * slider.width()), slider.height() // 2))
-        until(lambda: abs(shown.player.share() - share) < 0.05, 20000, f"{share} of the program")  # noqa: B023
-    at = shown.player.share()
-    click(slider, QtCore.QPoint(round(at * slider.width()) + 2, slider.height() // 2))
-    until(lambda: not slider.isSliderDown(), 20000, "the mouse let go")
-    assert shown.player.share() == at, "the handle under the mouse stays where it is"

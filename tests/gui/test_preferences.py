@@ -90,7 +90,7 @@ def test_a_default_changed_by_hand_is_kept_and_the_others_are_not_touched(
     ]  # fmt: skip
 
 
-def test_what_cannot_be_read_is_shown_and_keeps_the_default(ours, in_dialog, type_into, until, pump, modal):
+def test_what_cannot_be_read_is_shown_and_keeps_the_default(ours, in_dialog, type_into, until, pump):
     texts = {}
 
     def work(widgets, dialog):
@@ -106,35 +106,13 @@ def test_what_cannot_be_read_is_shown_and_keeps_the_default(ours, in_dialog, typ
         texts["processes"] = error.text()
         type_into(widgets["Feed"], "1500,5")
         press_button(dialog, QtWidgets.QDialogButtonBox.Ok)
-        met = modal("OK")
-        until(lambda: met.texts, 10000, "what was not kept")
-        texts["box"] = met.texts[0]
+        pump(200)
 
     in_dialog(work)
-    assert texts["box"].startswith("1.5 is no whole number") and "before is kept" in texts["box"]
     assert texts["diameter"][0].startswith("45 deg 30' is no length") and texts["diameter"][1] == "45 deg 30'"
     assert not texts["then"] and texts["processes"].startswith("1.5 is no whole number")
     assert preferences.read("CutterTaper") == 4.5 and preferences.read("CutterDiameter") == 8.0
     assert preferences.feed() == pytest.approx(1500.5) and not preferences.read("Processes")
-
-
-def test_ok_in_the_midst_of_typing_reads_it_first(ours, in_dialog, until, modal):
-    """A button of macOS takes no focus, so that nothing tells the box that its text is complete."""
-    texts = []
-
-    def work(widgets, dialog):
-        line = widgets["CutterDiameter"].lineEdit()
-        line.selectAll()
-        line.insert("12 nails")
-        line.textEdited.emit("12 nails")
-        press_button(dialog, QtWidgets.QDialogButtonBox.Ok)
-        met = modal("OK")
-        until(lambda: met.texts, 10000, "what was not kept")
-        texts.extend(met.texts)
-
-    in_dialog(work)
-    assert texts[0].startswith("12 nails is no length")
-    assert not ours.GetContents()
 
 
 def test_ok_without_a_change_keeps_numbers_that_the_boxes_show_rounded(ours, in_dialog):

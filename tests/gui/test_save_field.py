@@ -7,7 +7,6 @@ import os
 import pytest
 
 from freecad_fiveaxis.app import machines
-from freecad_fiveaxis.gui.panels import audit
 from freecad_fiveaxis.gui.panels.files import SaveField, new_machine
 from freecad_fiveaxis.gui.panels.post import PostPanel
 
@@ -44,24 +43,6 @@ def test_a_name_without_a_folder_goes_into_the_proposed_one(show, tmp_path):
         assert field.editor.text() == str(path)
     field.propose(str(tmp_path / "second.ngc"))
     assert field.value() == str(tmp_path.parent / "a.ngc"), "the user's own name stays"
-
-
-def test_a_file_to_read_is_looked_for_beside_the_document(doc, tmp_path, monkeypatch, pump):
-    """And not where FreeCAD happens to have been started."""
-    elsewhere = tmp_path / "elsewhere"
-    elsewhere.mkdir()
-    monkeypatch.chdir(elsewhere)
-    doc.saveAs(str(tmp_path / "part.FCStd"))
-    (tmp_path / "part.nc").write_text("G1 X0 Y0 Z0 A0 C0 F500\nM2\n")
-    opened = audit.create(doc)
-    opened.file.editor.setText("part.nc")
-    assert opened.file.value() == str(tmp_path / "part.nc") and not opened.file.says("error")
-    opened.file.editor.editingFinished.emit()
-    assert opened.file.editor.text() == str(tmp_path / "part.nc")
-    opened.file.editor.setText(str(elsewhere / "other.nc"))
-    assert opened.file.value() == str(elsewhere / "other.nc") and opened.file.says("error")
-    opened.reject()
-    pump(100)
 
 
 def test_a_machine_file_goes_into_the_folder_of_the_user_before_any_is_proposed(window):

@@ -5,9 +5,7 @@ typed, the box keeps its number, and the field says why."""
 import pytest
 from conftest import QtCore, QtWidgets
 
-from freecad_fiveaxis import app
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.gui.panels import compare, post, prove_signs, toolpath
 from freecad_fiveaxis.gui.panels.fields import FeedField, NumberField, QuantityField, SpindleField
 from freecad_fiveaxis.gui.panels.machine_editor.boxes import AccelerationField, OpenField, RateField
 from freecad_fiveaxis.gui.panels.rows import Rows
@@ -208,60 +206,3 @@ def test_a_height_that_is_not_known_is_no_infinity(show, type_into, pump):
     type_into(field.editor, "inf")
     pump(50)
     assert field.value() == 100.0 and field.says("error").startswith("inf is no length")
-
-
-def press_in_the_midst(field, text, press):
-    """Type, and press what takes no focus, as buttons of macOS: nothing tells the box that this was all."""
-    line = field.editor.lineEdit()
-    line.selectAll()
-    line.insert(text)
-    line.textEdited.emit(text)
-    return press()
-
-
-def test_ok_reads_what_is_being_typed_and_keeps_the_panel_where_it_cannot(dome, pump):
-    opened = toolpath.create(dome)
-    opened.options.show_options({"stepover": 8.0, "gouge": "off", "linear_deflection": 0.3})
-    assert opened.calculate()
-    feed = opened.options.fields["feed"]
-    assert press_in_the_midst(feed, "fast", opened.accept) is False
-    assert feed.says("error").startswith("fast is no feed") and not opened.stale
-    feed.show_value(20.0)
-    opened.reject()
-    pump(100)
-
-
-def test_post_and_compare_read_what_is_being_typed(dome, doc, tmp_path, pump):
-    path = app.create_toolpath(doc, dome, machine="trunnion_ac", stepover=8.0, linear_deflection=0.3)
-    opened = post.write(path)
-    opened.file.show_value(str(tmp_path / "dome.ngc"))
-    assert press_in_the_midst(opened.spindle, "fast", opened.accept) is False
-    assert opened.error.text().startswith("fast is no whole number") and not list(tmp_path.iterdir())
-    opened.reject()
-    pump(100)
-    opened = compare.create(path)
-    assert press_in_the_midst(opened.length, "long", opened.calculate) is False
-    assert opened.error.text().startswith("long is no length")
-    opened.reject()
-    pump(100)
-
-
-def test_calculate_points_out_what_is_wrong_where_the_line_under_the_field_is_out_of_sight(
-    window, pump, until
-):
-    """Between Calculate and the form's end there may be a screenful; a button that only adds a line down there
-    seems to do nothing."""
-    opened = prove_signs.create()
-    form = opened.options
-    for group in form.groups.values():
-        group.unfold()
-    pump(200)
-    field = form.fields["slow_feed"]
-    assert press_in_the_midst(field, "slow", opened.calculate) is False
-    assert form.error.text().startswith("Slow feed: slow is no feed") and form.error.isVisible()
-    until(lambda: not field.error.visibleRegion().isEmpty(), 5000, "the line under the field in sight")
-    field.show_value(100.0)
-    form.edited.emit()
-    assert not form.error.text()
-    opened.reject()
-    pump(200)

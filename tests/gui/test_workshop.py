@@ -87,14 +87,7 @@ def cut(form):
     wide = [
         one.text() for one in shown
         if one.sizeHint().width() > one.width() + 2 and not (isinstance(one, QtWidgets.QLabel) and one.wordWrap())
-        and "\n" not in lines_of(one)
     ]  # fmt: skip
-    broken = [one for one in shown if "\n" in lines_of(one) and not isinstance(one, QtWidgets.QLabel)]
-    wide += [
-        one.text()
-        for one in broken
-        if one.minimumSizeHint().width() > one.width() + 2 or one.sizeHint().height() > one.height() + 2
-    ]
     combos = [one for one in form.findChildren(QtWidgets.QComboBox) if one.isVisible()]
     arrow = 24  # pixels of the button at the right
     return wide + [
@@ -102,11 +95,6 @@ def cut(form):
         for one in combos
         if one.fontMetrics().boundingRect(one.currentText()).width() + arrow > one.width()
     ]
-
-
-def lines_of(one):
-    """The text of a widget as it stands on the screen, with its line breaks."""
-    return str(one.property("text"))
 
 
 def panel_form():

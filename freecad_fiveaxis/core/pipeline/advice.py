@@ -17,7 +17,6 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, join_sentences, say
-from freecad_fiveaxis.core.orientation.strategies import FOLLOWING
 from freecad_fiveaxis.core.tool import cutter_text
 
 from .collision_avoidance import compute_finished_area, compute_unfinished_share
@@ -74,17 +73,16 @@ def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
 
 def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
     """Give the changes that are worth a trial: other passes, free tool axes, both, a smaller ball; for a
-    cutter that ends level on the normals both together, a ball of its diameter with free tool axes, and a
-    smaller one."""
+    cutter that ends level a ball of its diameter with free tool axes, which no other has, and a smaller
+    one."""
     passes = {} if settings.passes.passes == SCALLOP else {"passes": SCALLOP, **dict.fromkeys(NOT_PLANES)}
     cutter = settings.cutter.cutter
     ball = cutter.touches_as_ball and cutter.corner > 0.0
     free = {"tool_axis": AUTO, "max_axis_angle": None}
-    leans = ball or (cutter.has_level_bottom and settings.tool_axis.tool_axis in FOLLOWING)
-    axes = free if leans and settings.tool_axis.tool_axis != AUTO else {}
-    both = passes | axes
-    each = (passes, axes, both if passes and axes else {}) if ball else (both,)
-    yield from (one for one in each if one)
+    axes = {} if settings.tool_axis.tool_axis == AUTO or not ball else free
+    yield from (one for one in (passes, axes) if one)
+    if passes and axes:
+        yield passes | axes
     if cutter.has_level_bottom:
         yield {"cutter": cutter_text(replace(cutter, corner=cutter.radius)), **free}
     smaller = SMALLER if ball else SMALLER_LEVEL if cutter.has_level_bottom else ()

@@ -47,7 +47,7 @@ def mill(context: MillContext, seen: Seen | None = None) -> MilledProgram:
 def begin(context: MillContext) -> Region:
     """Return what the first stage takes: the region that is cut."""
     return find_region(
-        context.settings, context.mesh, context.keep, context.progress, context.frames, context.field
+        context.settings, context.mesh, context.keep, context.progress, context.frames, field=context.field
     )
 
 

@@ -9,8 +9,6 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
-from .wrapping import WrappedButton
-
 
 class AdviceOffer(QtWidgets.QWidget):
     """``requested``: the user wants to know; ``chosen`` tells that the settings in ``changes`` are to be
@@ -21,7 +19,7 @@ class AdviceOffer(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.changes: Mapping[str, Any] = {}
-        self.ask = WrappedButton(translate("FiveAxis", "What would finish more?"))
+        self.ask = QtWidgets.QPushButton(translate("FiveAxis", "What would finish more?"))
         self.ask.setToolTip(
             translate(
                 "FiveAxis",
@@ -31,7 +29,7 @@ class AdviceOffer(QtWidgets.QWidget):
         )
         self.line = QtWidgets.QLabel()
         self.line.setWordWrap(True)
-        self.use = WrappedButton(translate("FiveAxis", "Use these settings"))
+        self.use = QtWidgets.QPushButton(translate("FiveAxis", "Use these settings"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         for widget, name in ((self.ask, "advice_ask"), (self.line, "advice_line"), (self.use, "advice_use")):

@@ -13,7 +13,6 @@ from freecad_fiveaxis.gui.qt import QtWidgets, translate
 from .fields import Field
 from .picking import is_picking
 from .triple import WIDE
-from .wrapping import WrappedButton
 
 ROWS = 4
 """So many are seen at once; the list scrolls."""
@@ -28,8 +27,8 @@ class AvoidField(Field):
         super().__init__("avoid", QtWidgets.QWidget(), hint)
         self.base = base
         self.list = QtWidgets.QListWidget()
-        self.add = WrappedButton(translate("FiveAxis", "Add selected faces"))
-        self.remove = WrappedButton(translate("FiveAxis", "Remove"))
+        self.add = QtWidgets.QPushButton(translate("FiveAxis", "Add selected faces"))
+        self.remove = QtWidgets.QPushButton(translate("FiveAxis", "Remove"))
         self._lay_out()
         self.add.clicked.connect(lambda *_: self._add())
         self.remove.clicked.connect(lambda *_: self._remove())

@@ -16,7 +16,6 @@ from freecad_fiveaxis.gui.wheel import leave_wheel
 from .fields import ChoiceField, Field, QuantityField
 from .files import machine_files
 from .rows import Rows
-from .wrapping import WrappedButton
 
 LONG = 110
 """Pixels of a machine's name beside a label."""
@@ -185,7 +184,7 @@ class CutterField(Field):
         self.sizes["taper"].show_value(TAPER)
         self.sizes["neck"].show_value(NECK)
         self.sizes["flank"].show_value(FLANK)
-        self.file = WrappedButton(translate("FiveAxis", "From a tool file…"))
+        self.file = QtWidgets.QPushButton(translate("FiveAxis", "From a tool file…"))
         self.job = ToolList("cutter_job", translate("FiveAxis", "From a CAM Job…"))
         self.setup = ToolList("cutter_setup", translate("FiveAxis", "From the setup…"))
         self._lay_out()

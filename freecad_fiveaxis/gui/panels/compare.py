@@ -22,7 +22,6 @@ from .lines import error_line
 from .panel_widget import MARGIN
 from .path_panel import show
 from .toolpath import find_milled_solid
-from .wrapping import WrappedButton
 
 LINE_HEIGHT, LINES = 24, 9
 """Pixels of a line of the list, and how many are shown at once."""
@@ -34,20 +33,19 @@ class ComparePanel:
     def __init__(self, path: Any) -> None:
         from freecad_fiveaxis.app import comparing, machines
 
-        self.path, self.doc = path, path.Document
-        self.title = translate("FiveAxis", "Compare machines")
+        self.path, self.title = path, translate("FiveAxis", "Compare machines")
         able = [one for one in machines.choices() if not one.error]
         self.machines = _list("machines", [(one.machine, one.label) for one in able], {path.Machine})
         cures = comparing.cures()
         self.cures = _list("cures", [(cure, cure_label(cure)) for cure in cures], set(cures))
-        self.browse = WrappedButton(translate("FiveAxis", "Another machine file (.fcm)…"))
+        self.browse = QtWidgets.QPushButton(translate("FiveAxis", "Another machine file (.fcm)…"))
         self.length = QuantityField("tool_length", "length", _length_hint(), optional=True)
         self.length.show_value(path.ToolLength.Value)
         self.length.nest()
         self.fixtures = FixturesField(path.Document, find_milled_solid(path.Mesh), _fixtures_hint())
         self.fixtures.show_value(path.Fixtures)
         self.error = error_line("compare_error")
-        self.calculate_button = WrappedButton(translate("FiveAxis", "Compare"))
+        self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Compare"))
         self.calculate_button.setObjectName("calculate")
         self.form = self._widget()
         self.length.edited.connect(lambda: self.show_error(wording.localize(self.length.refusal())))
@@ -100,7 +98,6 @@ class ComparePanel:
         from freecad_fiveaxis.app import comparing
         from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
-        self.length.want()
         self.show_error("")
         machines, cures = find_ticked(self.machines), find_ticked(self.cures)
         if not machines or not cures:

@@ -128,12 +128,7 @@ class Field(QtCore.QObject):
         self._say("error", text)
 
     def want(self) -> None:
-        """Read what is being typed, and call what the user has not given yet missing from now on: he has
-        asked for the result."""
-        if hasattr(self.editor, "settle"):
-            self.editor.settle()
-        for part in self.parts_of():
-            part.want()
+        """Call what the user has not given yet missing from now on: he has asked for the result."""
 
     def parts_of(self) -> Sequence[Field]:
         """Return the fields that this one is made of and that count as it stands."""

@@ -15,10 +15,9 @@ from .fields import TextField
 class FileField(TextField):
     """A file to read, and a button that chooses it. ``title`` of the dialog, ``kinds`` of files as Qt filters
     them; ``missing``: what to do while none is named, empty where none is needed: a hint in the box, and an
-    error once the file is ``wanted``. A name that is typed without its folder belongs to ``folder``, where
-    that is known."""
+    error once the file is ``wanted``."""
 
-    wanted, folder = False, ""
+    wanted = False
 
     def __init__(self, name: str, title: str, kinds: str, hint: str = "", missing: str = "") -> None:
         super().__init__(name, hint)
@@ -29,21 +28,9 @@ class FileField(TextField):
         self.browse.setObjectName(name + "_browse")
         self.browse.clicked.connect(self._browse)
         self.editor.setPlaceholderText(missing)
-        self.editor.editingFinished.connect(self._show_whole)
-
-    def value(self) -> str:
-        """Return the whole name; empty where there is none."""
-        typed = os.path.expanduser(super().value())
-        return os.path.normpath(os.path.join(self.folder, typed)) if typed and self.folder else typed
-
-    def _show_whole(self) -> None:
-        """Show where a name that was typed without its folder belongs."""
-        if self.value() != super().value():
-            self.show_value(self.value())
 
     def want(self) -> None:
         """From now on a name that is missing is an error: the user has asked for what needs it."""
-        super().want()
         self.wanted = True
 
     def check(self) -> None:
@@ -76,7 +63,13 @@ class SaveField(FileField):
         new: bool = False,
     ) -> None:  # fmt: skip
         super().__init__(name, title, kinds, hint, missing)
-        self.endings, self.new, self._proposed = endings, new, ""
+        self.endings, self.new, self._proposed, self.folder = endings, new, "", ""
+        self.editor.editingFinished.connect(self._show_whole)
+
+    def _show_whole(self) -> None:
+        """Show where a name that was typed without its folder goes."""
+        if self.value() != super().value():
+            self.show_value(self.value())
 
     def show_written(self, path: str) -> None:
         """Show where the file was written; the next proposal takes its place."""
@@ -93,8 +86,8 @@ class SaveField(FileField):
 
     def value(self) -> str:
         """Return the whole name; empty where there is none."""
-        typed = super().value()
-        return os.path.abspath(typed) if typed else ""
+        typed = os.path.expanduser(super().value())
+        return os.path.abspath(os.path.join(self.folder, typed)) if typed else ""
 
     def check(self) -> None:
         """Raise FileError for a file that is not named, has no known ending, or is there although it may

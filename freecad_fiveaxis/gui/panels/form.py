@@ -9,7 +9,6 @@ idle      an option that counts for nothing as the choices stand: hidden where a
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -21,11 +20,10 @@ from .abilities import LACKING, check_guide, reasons, unknown_choices
 from .choosers import CutterField, MachineField, SpacingField, controller_field, strategy_field
 from .depends import DEPENDS, idle_options
 from .fields import Field
-from .files import FileField, any_file
+from .files import any_file
 from .folding import FoldingGroup
 from .lines import error_line
 from .option_fields import option_field
-from .panel_widget import scroll_to
 
 SPACING = "spacing"
 MORE = "more"
@@ -84,7 +82,6 @@ class Form(QtCore.QObject):
         self.leaves = {name: leaf for name, leaf in self.leaves.items() if not only or name in only}
         self.extras = {field.name: field for field in extras}
         self.fields = {**self._option_fields(doc), **self.extras}
-        self._stand_beside(doc)
         self.wished: dict[str, Any] = {}
         self.filling = False
         self.rows: dict[str, list[Any]] = {}
@@ -118,12 +115,6 @@ class Form(QtCore.QObject):
                 {kind: option_hint(self.leaves[kind]) for kind in SpacingField.KINDS}
             )
         return fields
-
-    def _stand_beside(self, doc: Any) -> None:
-        """Let the names of files to read belong to the folder of the document, where it has one."""
-        for field in self.fields.values():
-            if isinstance(field, FileField) and not field.folder and doc is not None:
-                field.folder = os.path.dirname(doc.FileName)
 
     def _no_machine(self) -> str:
         return translate("FiveAxis", "none") if self.task in ANY_MACHINE else ""
@@ -262,21 +253,6 @@ class Form(QtCore.QObject):
         """Call a file that is not named yet an error from now on: the user asks for the result."""
         for field in self.fields.values():
             field.want()
-
-    def settle(self) -> bool:
-        """Read what is being typed; whether all that was typed can be read."""
-        self.want()
-        return not any(field.refusal() for field in self.fields.values())
-
-    def point_out(self) -> None:
-        """Say the first error of a field where the form's own stand, and scroll to it: pressed for a result,
-        a button seems to do nothing where the line under the field is out of sight."""
-        for field in self.fields.values():
-            if field.says("error"):
-                if not self.error.text():
-                    self.show_error(f"{field.label}: {field.says('error')}")
-                scroll_to(field.error)
-                return
 
     def check(self) -> bool:
         """Whether the core takes the values; where it does not, the fields say why."""

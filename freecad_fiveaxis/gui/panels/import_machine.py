@@ -8,8 +8,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import FreeCAD
-
 from freecad_fiveaxis.gui.qt import translate
 
 from . import result_html
@@ -44,9 +42,7 @@ class ImportPanel(WorkPanel):
         sections = [("files", translate("FiveAxis", "Files"), ["source", "bodies", "machine_file"])]
         super().__init__(
             translate("FiveAxis", "Import a machine"),
-            FilesForm(
-                "import-machine", FreeCAD.ActiveDocument, sections, [self.source, self.bodies, self.target]
-            ),
+            FilesForm("import-machine", None, sections, [self.source, self.bodies, self.target]),
         )
         self.found = ""
         self.source.edited.connect(self._propose)

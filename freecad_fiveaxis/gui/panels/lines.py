@@ -5,26 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from freecad_fiveaxis.core.base.codes import Severity
-from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
-
-LIGHT = {"error": "#d0342c", "warning": "#a05600", "note": "#5f6b78"}
-DARK = {"error": "#ff8a80", "warning": "#ffb74d", "note": "#a9b4c0"}
-"""The colours of the lines on a light desktop and on a dark one; each can be read on its own."""
-
-
-def ink(kind: str) -> str:
-    """Return the colour of a kind of line on the desktop as it is: FreeCAD's dark themes are style sheets, of
-    which only a widget that has taken them on knows."""
-    probe = QtWidgets.QLabel()
-    probe.ensurePolished()
-    dark = probe.palette().color(QtGui.QPalette.WindowText).lightness() > 127
-    return (DARK if dark else LIGHT)[kind]
-
-
-def ink_of(severity: int) -> str:
-    """Return the colour of a note, a warning or an error on the desktop as it is."""
-    return ink(Severity(severity).name.lower())
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 
 def error_line(name: str) -> Any:
@@ -33,7 +14,7 @@ def error_line(name: str) -> Any:
     label.setObjectName(name)
     label.setAccessibleDescription(translate("FiveAxis", "Error"))
     label.setWordWrap(True)
-    label.setStyleSheet(f"color: {ink('error')};")
+    label.setStyleSheet("color: #d0342c;")
     label.hide()
     return label
 
@@ -42,7 +23,7 @@ def warning_line(name: str) -> Any:
     """Return a line in amber, hidden until it says something."""
     label = error_line(name)
     label.setAccessibleDescription(translate("FiveAxis", "Warning"))
-    label.setStyleSheet(f"color: {ink('warning')};")
+    label.setStyleSheet("color: #b06000;")
     return label
 
 
@@ -51,6 +32,6 @@ def note_line(name: str) -> Any:
     label = QtWidgets.QLabel()
     label.setObjectName(name)
     label.setWordWrap(True)
-    label.setStyleSheet(f"color: {ink('note')}; font-size: small;")
+    label.setStyleSheet("color: #6b7785; font-size: small;")
     label.hide()
     return label

@@ -17,8 +17,6 @@ WIDTH, TALL, LOW, LINES = 300, 4000, 110, 80
 """Pixels: as wide as the panel would like to be, taller than any screen, as low as the form may get, and a
 text above it."""
 MARGIN = 4
-SETTLED = 50
-"""ms after which a line that was just shown has its place."""
 TITLE = 168
 """Pixels of a title, beside its icon and arrow in the narrowest task panel."""
 
@@ -86,22 +84,6 @@ class FormArea(QtWidgets.QScrollArea):
         """Return the form's own width and the scroll bar's."""
         bar = self.verticalScrollBar().sizeHint().width()
         return QtCore.QSize(self.widget().minimumSizeHint().width() + bar, LOW)
-
-
-def scroll_to(widget: Any) -> None:
-    """Have the form around a widget show it, once the layout knows where it stands."""
-    QtCore.QTimer.singleShot(SETTLED, lambda: _scroll_form(widget))
-
-
-def _scroll_form(widget: Any) -> None:
-    try:
-        around = widget.parentWidget()
-        while around is not None and not isinstance(around, FormArea):
-            around = around.parentWidget()
-        if around is not None:
-            around.ensureWidgetVisible(widget)
-    except RuntimeError:  # PySide: already deleted, the panel was closed meanwhile
-        return
 
 
 class TextArea(QtWidgets.QScrollArea):

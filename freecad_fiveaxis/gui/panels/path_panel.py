@@ -26,7 +26,6 @@ from freecad_fiveaxis.gui.waiting import waiting
 from .form import Form
 from .panel_widget import PanelWidget, shorten_title
 from .summary import Summary
-from .wrapping import WrappedButton
 
 DRAWN = 500
 """ms after which something new is drawn."""
@@ -48,7 +47,7 @@ class PathPanel:
         self.draft, self.gone = obj is None, False
         self.step = OpenStep(doc, title)
         self.calculated: dict[str, Any] | None = None
-        self.calculate_button = WrappedButton(translate("FiveAxis", "Calculate"))
+        self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
         self.summary, self.shown_parts = self.SUMMARY(), ShownParts()
         self.form = self._widget(title)
@@ -117,7 +116,6 @@ class PathPanel:
         self.forget_gone()
         if not self.options.check() or self._say_gone():
             self.summary.forget()
-            self.options.point_out()
             return False
         self.step.begin()
         try:
@@ -178,10 +176,6 @@ class PathPanel:
         """OK: calculate if that is not done, keep what there is, close. The panel stays where something
         cannot be used, and where the path is not safe and the user goes back to change that."""
         self.look_again()
-        if not self.options.settle():  # the number before it was computed, and nobody means that
-            self.options.point_out()
-            reveal(self.form)
-            return False
         if (self.stale and not self.calculate()) or not self._ask_to_keep() or not self._try_to_finish():
             return False
         self.step.keep()
@@ -232,7 +226,6 @@ def show(panel: Any) -> Any:
     FreeCADGui.Control.showDialog(panel)
     keys.belong_to(panel.form)
     _shown[:] = [panel]
-    panel.form.destroyed.connect(lambda *_: _forget(panel))
     return panel
 
 
@@ -247,32 +240,6 @@ def look_again(doc: Any) -> None:
     if _shown and not _due and getattr(_shown[0], "doc", None) is doc and hasattr(_shown[0], "look_again"):
         _due.append(_shown[0])
         later(lambda: _due.pop().look_again())
-
-
-def _forget(panel: Any) -> None:
-    """FreeCAD has closed a panel, for whatever reason."""
-    if _shown == [panel]:
-        _shown.clear()
-
-
-def close_with(doc: Any) -> None:
-    """Close the panel that is open over a document which is being closed, once the window is idle: all that
-    it could still do is to fail."""
-    if _shown and getattr(_shown[0], "doc", None) is doc:
-        panel = _shown[0]
-        later(lambda: _close_orphan(panel))
-
-
-def _close_orphan(panel: Any) -> None:
-    from freecad_fiveaxis.app import long_work
-
-    if _shown != [panel]:
-        return
-    if long_work.is_running():  # it ends by itself, and the panel stands on the stack until then
-        QtCore.QTimer.singleShot(DRAWN, lambda: _close_orphan(panel))
-        return
-    panel.reject()
-    status(translate("FiveAxis", "The document was closed, and the task panel with it."))
 
 
 def fit(name: str) -> None:

@@ -19,7 +19,6 @@ from freecad_fiveaxis.gui.failures import guards
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
 
 from .triple import LAST, TripleField
-from .wrapping import WrappedButton
 
 Point = tuple[float, float, float]
 
@@ -116,7 +115,7 @@ class PointField(TripleField):
 
     def __init__(self, name: str, hint: str = "", width: int = 60) -> None:
         super().__init__(name, "point", hint, width=width)
-        self.button = WrappedButton(translate("FiveAxis", "Pick in the 3D view"))
+        self.button = QtWidgets.QPushButton(translate("FiveAxis", "Pick in the 3D view"))
         self.button.setObjectName(name + "_pick")
         self.button.setCheckable(True)
         self.button.clicked.connect(self._on_press)

@@ -30,7 +30,6 @@ from .option_fields import option_field
 from .panel_widget import MARGIN
 from .path_panel import show
 from .result_html import findings
-from .wrapping import WrappedTick
 
 REPORTS = ("html", "json")
 NAMED = 5
@@ -41,12 +40,12 @@ class PostPanel:
     """Writes the Toolpath ``path``."""
 
     def __init__(self, path: Any) -> None:
-        self.path, self.doc = path, path.Document
+        self.path = path
         title = translate("FiveAxis", "The NC file to write")
         self.file = SaveField("nc_path", title, nc_files(), title, translate("FiveAxis", "Name the NC file."))
         self.error = error_line("post_error")
-        self.reports = {kind: WrappedTick(text) for kind, text in _report_texts().items()}
-        self.preview = WrappedTick(translate("FiveAxis", "Preview for CAM"))
+        self.reports = {kind: QtWidgets.QCheckBox(text) for kind, text in _report_texts().items()}
+        self.preview = QtWidgets.QCheckBox(translate("FiveAxis", "Preview for CAM"))
         self.verdict, self.poor = VerdictLabel("post_verdict"), QtWidgets.QLabel()
         self.file.editor.setAccessibleDescription(self.file.editor.toolTip())
         self.file.editor.textChanged.connect(self.file.editor.setToolTip)  # the box shows but the end
@@ -139,7 +138,6 @@ class PostPanel:
         from freecad_fiveaxis.core.report import summary
 
         if self.spindle is not None:
-            self.spindle.want()
             self.spindle.check()
         nc, reports = self._nc_path(), self._report_paths()
         for path in (nc, *reports.values()):

@@ -11,7 +11,6 @@ from freecad_fiveaxis.app.units import length_text
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from .summary import clock
-from .wrapping import WrappedButton
 
 
 class PreviewRow(QtWidgets.QWidget):
@@ -21,7 +20,7 @@ class PreviewRow(QtWidgets.QWidget):
         super().__init__()
         self.doc = doc
         self.picture: Any = None
-        self.button = WrappedButton(translate("FiveAxis", "Preview passes"))
+        self.button = QtWidgets.QPushButton(translate("FiveAxis", "Preview passes"))
         self.button.setObjectName("preview_passes")
         self.button.setToolTip(
             translate("FiveAxis", "Lay the passes alone and draw them over the part: quick, before Calculate")

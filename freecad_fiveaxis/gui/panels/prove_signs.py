@@ -17,7 +17,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad_fiveaxis.gui import selected
-from freecad_fiveaxis.gui.qt import QtCore, QtGui, translate
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, translate
 
 from . import result_html
 from .files import SaveField, all_files, nc_files
@@ -25,7 +25,6 @@ from .form import Form, group_sections
 from .picking import Point, PointField
 from .post import propose_file
 from .work_panel import WorkPanel, open_panel
-from .wrapping import WrappedButton
 
 USUAL_MARK = (30.0, 20.0, 0.0)
 """mm over the work zero: X and Y of the mark that is proposed."""
@@ -99,7 +98,7 @@ class ProvePanel(WorkPanel):
             translate("FiveAxis", "What must be seen at each stop, to print; empty: no sheet"),
             endings=SHEETS,
         )  # fmt: skip
-        self.open_button = WrappedButton(translate("FiveAxis", "Open the sheet"))
+        self.open_button = QtWidgets.QPushButton(translate("FiveAxis", "Open the sheet"))
         self.open_button.setObjectName("open_sheet")
         self.shown = ""
         form = Form("prove-signs", None, _sections(), [self.mark, self.zero, self.nc_file, self.sheet])

@@ -13,7 +13,7 @@ from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.labels import group_label
 from freecad_fiveaxis.app.selection import is_mesh
 from freecad_fiveaxis.core.studies.reach_report import WAYS
-from freecad_fiveaxis.gui.qt import translate
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
 from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.views import kind_of
 
@@ -25,7 +25,6 @@ from .picking import PointField
 from .setup import table_of
 from .summary import Summary
 from .toolpath import find_milled_solid, read_preferred
-from .wrapping import WrappedTick
 
 OPTIONS = (
     "machine", "tool_length", "cutter", "shank", "holder", "tolerance", "table_height", "origin", "boundary",
@@ -105,7 +104,7 @@ class ReachPanel(PathPanel):
 
     def _widget(self, title: str) -> Any:
         widget = super()._widget(title)
-        self.axes_box = WrappedTick(translate("FiveAxis", "Show the tool axes"))
+        self.axes_box = QtWidgets.QCheckBox(translate("FiveAxis", "Show the tool axes"))
         self.axes_box.setObjectName("show_axes")
         self.axes_box.setToolTip(
             translate(

@@ -7,16 +7,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import FreeCAD
-
-from freecad_fiveaxis.gui.qt import translate
+from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 from . import result_html
 from .files import FileField, cl_files, nc_files, new_machine
 from .form import Form
 from .setup import ask_file, write_asking
 from .work_panel import WorkPanel, open_panel
-from .wrapping import WrappedButton
 
 
 class RecoverPanel(WorkPanel):
@@ -35,9 +32,9 @@ class RecoverPanel(WorkPanel):
             translate("FiveAxis", "Choose the NC file that was made of it."),
         )  # fmt: skip
         self.target = new_machine()
-        self.save_button = WrappedButton(translate("FiveAxis", "Save the report…"))
+        self.save_button = QtWidgets.QPushButton(translate("FiveAxis", "Save the report…"))
         self.save_button.setObjectName("page")
-        form = Form("recover", FreeCAD.ActiveDocument, _sections(), [self.cl_file, self.program, self.target])
+        form = Form("recover", None, _sections(), [self.cl_file, self.program, self.target])
         super().__init__(translate("FiveAxis", "Recover a machine"), form, (self.save_button,))
         self.save_button.clicked.connect(lambda *_: self.save())
         self.program.edited.connect(self._propose)

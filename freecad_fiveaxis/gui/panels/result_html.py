@@ -14,7 +14,8 @@ from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text, write_number
 from freecad_fiveaxis.gui.scene.words import severity_name
 
-from .lines import ink_of
+COLOURS = ("#4a5a6a", "#b06000", "#d0342c")
+"""Of notes, warnings and errors."""
 
 
 def describe_recovered(found: Any) -> str:
@@ -179,7 +180,7 @@ def findings(found: Iterable[Any]) -> str:
     """Return the findings, the gravest first."""
     ordered = sorted(found, key=lambda one: -one.severity)
     return "".join(
-        f"<p><span style='color: {ink_of(one.severity)}'><b>{html.escape(severity_name(one.severity))}:</b> "
+        f"<p><span style='color: {COLOURS[one.severity]}'><b>{html.escape(severity_name(one.severity))}:</b> "
         f"{html.escape(wording.localize(one.text))}</span></p>"
         for one in ordered
     )

@@ -8,8 +8,6 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
-from .wrapping import WrappedButton
-
 FACTORS = {"inches": 25.4, "metres": 1000.0}
 """mm of each unit."""
 
@@ -25,7 +23,7 @@ class ScaleOffer(QtWidgets.QWidget):
             "inches": translate("FiveAxis", "The part is in inches: scale it by 25.4"),
             "metres": translate("FiveAxis", "The part is in metres: scale it by 1000"),
         }
-        self.buttons = {unit: WrappedButton(text) for unit, text in texts.items()}
+        self.buttons = {unit: QtWidgets.QPushButton(text) for unit, text in texts.items()}
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         for unit, button in self.buttons.items():

@@ -26,7 +26,6 @@ from .path_panel import PathPanel, fit_soon, reveal, show
 from .post import propose_file
 from .summary import Summary, clock
 from .toolpath import find_milled_solid, read_preferred
-from .wrapping import WrappedButton
 
 
 class SetupSummary(Summary):
@@ -113,8 +112,8 @@ class SetupPanel(PathPanel):
 
     def _widget(self, title: str) -> Any:
         widget = super()._widget(title)
-        self.apply_button = WrappedButton(translate("FiveAxis", "Apply to the tool path"))
-        self.page_button = WrappedButton(translate("FiveAxis", "Save as a web page…"))
+        self.apply_button = QtWidgets.QPushButton(translate("FiveAxis", "Apply to the tool path"))
+        self.page_button = QtWidgets.QPushButton(translate("FiveAxis", "Save as a web page…"))
         for at, (name, button) in enumerate((("apply", self.apply_button), ("page", self.page_button))):
             button.setObjectName(name)
             widget.layout().insertWidget(2 + at, button)

@@ -9,7 +9,6 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
 from .fields import ARROW, Field, NumberField, QuantityField, width_of
-from .wrapping import WrappedTick
 
 WIDE = 1000
 """Pixels of an editor that never stands beside its label."""
@@ -47,7 +46,7 @@ class TripleField(Field):
         for part, letter in zip(self.parts, "XYZ", strict=True):
             part.editor.setAccessibleName(f"{self.label} {letter}")
             part.nest()
-        self.none = WrappedTick(none_text) if none_text else None
+        self.none = QtWidgets.QCheckBox(none_text) if none_text else None
         self.width = width
         self._lay_out()
         for part in self.parts:

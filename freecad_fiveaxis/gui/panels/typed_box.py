@@ -52,13 +52,6 @@ class TypedBox(QtWidgets.QDoubleSpinBox):
         self.setValue(number)
         self.setSuffix("")
 
-    def settle(self) -> None:
-        """Read what is being typed, as where the box is left: a button that takes no focus, as those of
-        macOS, is pressed in the midst of it."""
-        if self.begun is not None:
-            self.interpretText()
-            self._leave()
-
     def _begin(self) -> None:
         self.accept_text()
         if self.begun is None:

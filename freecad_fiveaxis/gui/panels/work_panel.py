@@ -24,7 +24,6 @@ from freecad_fiveaxis.gui.waiting import waiting
 from .form import Form
 from .panel_widget import PanelWidget
 from .path_panel import reveal, show
-from .wrapping import WrappedButton
 
 P = TypeVar("P", bound="WorkPanel")
 
@@ -43,7 +42,7 @@ class WorkPanel:
         self.done: Any = None
         self.temporary_document = ""
         self.calculated: dict[str, Any] | None = None
-        self.calculate_button = WrappedButton(translate("FiveAxis", "Calculate"))
+        self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
         self.result = QtWidgets.QTextBrowser()
         self.result.setObjectName("result")
@@ -82,7 +81,6 @@ class WorkPanel:
         """Do the work and show what was found; whether that went well."""
         self.options.want()
         if not self.options.check():
-            self.options.point_out()
             return False
         try:
             with waiting(self.title):
@@ -130,10 +128,6 @@ class WorkPanel:
     def accept(self) -> bool:
         """OK: calculate if that is not done, write, close. The panel stays where something cannot be used or
         is not agreed to."""
-        if not self.options.settle():  # the number before it was computed, and nobody means that
-            self.options.point_out()
-            reveal(self.form)
-            return False
         if self.stale and not self.calculate():
             return False
         files = self.files(self.done)

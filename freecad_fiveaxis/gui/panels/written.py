@@ -9,7 +9,6 @@ import os
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, main_window, translate
 
 from .summary import clock
-from .wrapping import WrappedButton
 
 NAME = "FiveAxisWritten"
 _dialogs: dict[str, Written] = {}
@@ -34,7 +33,7 @@ class Written(QtWidgets.QDialog):
             ("Folder", translate("FiveAxis", "Show folder"), self._show_folder),
             ("Close", translate("FiveAxis", "Close"), self.close),
         ):
-            button = WrappedButton(text)
+            button = QtWidgets.QPushButton(text)
             button.setObjectName(NAME + name)
             button.setAutoDefault(name == "Close")
             button.clicked.connect(lambda *_, act=act: act())

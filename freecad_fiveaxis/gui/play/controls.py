@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from freecad_fiveaxis.app.decimal_sign import write_number
-from freecad_fiveaxis.gui.panels.wrapping import SPACING, WrappedButton, WrappedTick, WrappingRow
+from freecad_fiveaxis.gui.panels.wrapping import SPACING, WrappingRow
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.wheel import leave_wheel
 
@@ -17,32 +17,11 @@ SPEEDS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Times real time."""
 
 
-class JumpSlider(QtWidgets.QSlider):
-    """A slider whose handle comes to where it is pressed, and goes with the mouse from there: a page's step
-    of Qt's leads nowhere in a program."""
-
-    def mousePressEvent(self, event: Any) -> None:
-        """Bring the handle under the mouse, unless it is there already."""
-        style = QtWidgets.QStyle
-        handle, groove = self._find(style.SC_SliderHandle), self._find(style.SC_SliderGroove)
-        if event.button() == QtCore.Qt.LeftButton and not handle.contains(event.pos()):
-            at = event.pos().x() - groove.left() - handle.width() // 2
-            room = groove.width() - handle.width()
-            self.setValue(style.sliderValueFromPosition(self.minimum(), self.maximum(), at, room))
-        super().mousePressEvent(event)
-
-    def _find(self, part: Any) -> Any:
-        """Return where the style draws a part of the slider."""
-        option = QtWidgets.QStyleOptionSlider()
-        self.initStyleOption(option)
-        return self.style().subControlRect(QtWidgets.QStyle.CC_Slider, option, part, self)
-
-
 class Controls:
     """The widgets by name; ``widget`` goes into the panel. What they do is connected by the panel."""
 
     def __init__(self) -> None:
-        self.slider = JumpSlider(QtCore.Qt.Horizontal)
+        self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("slider")
         self.slider.setRange(0, SLIDER)
         self.slider.setPageStep(SLIDER // 20)
@@ -55,14 +34,14 @@ class Controls:
         self.forward = self._button(
             "forward", icons.SP_MediaSeekForward, translate("FiveAxis", "One block on")
         )
-        self.worst, self.singular = WrappedButton(), WrappedButton()
+        self.worst, self.singular = QtWidgets.QPushButton(), QtWidgets.QPushButton()
         self.worst.setText(translate("FiveAxis", "Worst block"))
         self.worst.setToolTip(translate("FiveAxis", "Where the tip is farthest from its commanded segment"))
         self.singular.setText(translate("FiveAxis", "Next singular"))
         self.singular.setToolTip(
             translate("FiveAxis", "The next block where a rotary axis turns far to lean the tool a little")
         )
-        self.collision = WrappedButton()
+        self.collision = QtWidgets.QPushButton()
         self.name_stops(collisions=True)
         self.collision.setToolTip(
             translate(
@@ -71,7 +50,7 @@ class Controls:
                 "near to it",
             )
         )
-        self.machine, self.follow = WrappedTick(), WrappedTick()
+        self.machine, self.follow = QtWidgets.QCheckBox(), QtWidgets.QCheckBox()
         self.machine.setText(translate("FiveAxis", "On the machine"))
         self.machine.setToolTip(
             translate("FiveAxis", "Table and head move as they really will; otherwise the part stands still")

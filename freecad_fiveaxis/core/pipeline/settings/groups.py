@@ -201,7 +201,7 @@ class ToolAxisSettings:
     tool_axis: str = option(
         "auto",
         "text",
-        "tool-axis strategy (see `strategies`); facet_mean for planes, face_normal for level bottoms on them",
+        "tool-axis strategy (see `strategies`); facet_mean for planes, face_normal for flat and bull cutters",
     )
     axis: Vector = option(
         (0.0, 0.0, 1.0),

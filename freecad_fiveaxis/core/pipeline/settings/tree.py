@@ -170,7 +170,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
 
     Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on
     the normals. So do cutters without a ball end, whose passes are as far apart as the bottom is wide there;
-    a level bottom lies on plane faces up to their edges. Passes spaced by facet leave it free to lean.
+    a level bottom lies on plane faces up to their edges.
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
@@ -182,8 +182,9 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     if "tool_axis" not in given and settings.passes.passes == ROTARY:
         return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=FROM_AXIS))
     cutter = settings.cutter.cutter
-    free = OVER_SURFACE if cutter.touches_as_ball else (BY_FACET,) if cutter.has_level_bottom else ()
-    if "tool_axis" not in given and settings.passes.passes not in free:
+    if "tool_axis" not in given and (
+        settings.passes.passes not in OVER_SURFACE or not cutter.touches_as_ball
+    ):
         strategy = "face_normal" if cutter.has_level_bottom else "facet_mean"
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=strategy))
     return settings

@@ -20,7 +20,6 @@ from freecad_fiveaxis.core.machine.bodies import BASE
 from freecad_fiveaxis.gui.panels.fields import ChoiceField, Field, QuantityField
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
 from freecad_fiveaxis.gui.panels.picking import PointField
-from freecad_fiveaxis.gui.panels.wrapping import WrappedButton
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .table import show_items
@@ -40,7 +39,7 @@ class AttachFields(QtCore.QObject):
             "attach", translate("FiveAxis", "From a document"), "machine-editor_attach", False
         )
         self.fields: dict[str, Field] = {field.name: field for field in _fields()}
-        self.button = WrappedButton(translate("FiveAxis", "Attach the selected solid"))
+        self.button = QtWidgets.QPushButton(translate("FiveAxis", "Attach the selected solid"))
         self.button.setObjectName("attach")
         self.button.clicked.connect(lambda *_: self.attach())
         self.group.body.add_wide(_hint())

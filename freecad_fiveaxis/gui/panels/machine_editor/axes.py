@@ -21,7 +21,6 @@ from freecad_fiveaxis.core.machine.editing import (
 from freecad_fiveaxis.gui.panels.fields import ChoiceField, Field
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
 from freecad_fiveaxis.gui.panels.triple import TripleField
-from freecad_fiveaxis.gui.panels.wrapping import WrappedButton
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .boxes import TURNS_A_MINUTE, AccelerationField, DirectionField, OpenField, RateField
@@ -57,7 +56,7 @@ class AxesEditor(QtCore.QObject):
         self.group.body.add_wide(self.table)
         self.group.body.add_wide(buttons_row(*self.buttons.values()))
         self.rows = {name: self.group.body.add(field) for name, field in self.fields.items()}
-        self.reverse = WrappedButton(translate("FiveAxis", "Reverse the direction"))
+        self.reverse = QtWidgets.QPushButton(translate("FiveAxis", "Reverse the direction"))
         self.reverse.setObjectName("axis_reverse")
         self.group.body.add_wide(self.reverse)
         self._connect()

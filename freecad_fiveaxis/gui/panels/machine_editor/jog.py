@@ -8,7 +8,6 @@ from typing import Any
 
 from freecad_fiveaxis.core.machine.editing import AxisDraft, MachineDraft
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
-from freecad_fiveaxis.gui.panels.wrapping import WrappedButton
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .axes import LETTERS, measure_text
@@ -32,7 +31,7 @@ class JogSliders(QtCore.QObject):
         self.rotary: dict[str, bool] = {}
         self.group = FoldingGroup("jog", translate("FiveAxis", "Move the axes"), "machine-editor_jog")
         self.rows = {letter: _Row(letter) for letter in LETTERS}
-        self.zero = WrappedButton(translate("FiveAxis", "All axes to zero"))
+        self.zero = QtWidgets.QPushButton(translate("FiveAxis", "All axes to zero"))
         self.zero.setObjectName("jog_zero")
         for letter, row in self.rows.items():
             self.group.body.add_wide(row.widget)

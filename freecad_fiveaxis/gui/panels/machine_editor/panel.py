@@ -28,11 +28,9 @@ from freecad_fiveaxis.gui.panels.choosers import MachineField
 from freecad_fiveaxis.gui.panels.fields import Field
 from freecad_fiveaxis.gui.panels.files import new_machine
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
-from freecad_fiveaxis.gui.panels.lines import ink_of
 from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget, TextArea
 from freecad_fiveaxis.gui.panels.path_panel import fit, show
 from freecad_fiveaxis.gui.panels.work_panel import give_back
-from freecad_fiveaxis.gui.panels.wrapping import WrappedButton
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, later, translate
 
 from .axes import AxesEditor
@@ -42,6 +40,7 @@ from .jog import JogSliders
 
 PAUSE = 300
 """ms without a letter typed after which the machine is looked at."""
+COLOURS = {Severity.ERROR: "#d0342c", Severity.WARNING: "#b06000", Severity.NOTE: "#6b7785"}
 
 
 class EditorPanel:
@@ -102,7 +101,7 @@ class EditorPanel:
         self.bodies.refused.connect(self._tell)
         self.bodies.attach.found.connect(lambda *_: later(self._come_to_front))
         self.jog.moved.connect(self._move)
-        self.target.edited.connect(self._on_target)
+        self.target.edited.connect(self._check_target)
         self.save_button.clicked.connect(lambda *_: self.save())
         self.prove_button.clicked.connect(lambda *_: later(self.prove))
 
@@ -202,26 +201,21 @@ class EditorPanel:
     def judge(self) -> None:
         """Say what is wrong with the machine and what it leaves open."""
         self.timer.stop()
-        self.machine, problems = editing.check(self.draft, self._find_names())
-        lines = [(ink_of(one.severity), wording.localize(one.text)) for one in problems]
+        self.machine, problems = editing.check(self.draft, self.names)
+        lines = [(COLOURS[one.severity], wording.localize(one.text)) for one in problems]
         if self.written and not self.changed:
             lines.insert(
-                0, (ink_of(Severity.NOTE), translate("FiveAxis", "Written: {}").format(self.written))
+                0, (COLOURS[Severity.NOTE], translate("FiveAxis", "Written: {}").format(self.written))
             )
         self._write(
-            lines or [(ink_of(Severity.NOTE), translate("FiveAxis", "Nothing is wrong with this machine."))]
+            lines or [(COLOURS[Severity.NOTE], translate("FiveAxis", "Nothing is wrong with this machine."))]
         )
         self._enable()
         self.jog.show_draft(self.draft)
         self._draw()
 
-    def _find_names(self) -> frozenset[str]:
-        """Return the names that are taken: that of the file written last too, where another comes next."""
-        elsewhere = self.written and self.target.value() != self.written
-        return frozenset(self.names) | ({self.kept.name} if elsewhere else frozenset())
-
     def _tell(self, text: str) -> None:
-        self._write([(ink_of(Severity.ERROR), text)])
+        self._write([(COLOURS[Severity.ERROR], text)])
 
     def _write(self, lines: list[tuple[str, str]]) -> None:
         self.findings.setText(
@@ -232,11 +226,6 @@ class EditorPanel:
     def _enable(self) -> None:
         self.save_button.setEnabled(not self.timer.isActive() and self.machine is not None)
         self.prove_button.setEnabled(bool(self.written) and not self.changed)
-
-    def _on_target(self) -> None:
-        if not self.filling:
-            self._check_target()
-            self.timer.start()
 
     def _check_target(self) -> bool:
         self.target.show_error("")
@@ -253,9 +242,8 @@ class EditorPanel:
 
     def save(self) -> bool:
         """Write the machine as a new file; whether that went well."""
-        for field in (*self._fields(), self.target):
-            field.want()
         self.judge()
+        self.target.want()
         refused = next((reason for field in self._fields() if (reason := field.refusal())), "")
         if refused:
             self._tell(wording.localize(refused))
@@ -322,7 +310,7 @@ class EditorPanel:
 
 
 def _button(name: str, text: str) -> Any:
-    button = WrappedButton(text)
+    button = QtWidgets.QPushButton(text)
     button.setObjectName(name)
     return button
 
