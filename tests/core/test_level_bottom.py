@@ -4,11 +4,11 @@ bottom slides, in a hollow it is raised; passes are as far apart as the cutter i
 
 import numpy as np
 import pytest
+from test_face_normal import walk
 
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
-from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.orientation.axis_field import Freedom, Nodes
 from freecad_fiveaxis.core.orientation.facets_with_axis import AxisField
 from freecad_fiveaxis.core.orientation.level_bottom import prefer_level, stand_level
@@ -20,7 +20,6 @@ from freecad_fiveaxis.core.passes.spacing_tool import SpacingTool
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import parse_cutter
-from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 UP = np.array((0.0, 0.0, 1.0))
 INNER, DEEP, OUTER = (14.0, 10.0), 6.0, (24.0, 20.0, 10.0)
@@ -185,19 +184,10 @@ def test_other_passes_are_as_close_as_all_but_little_of_the_surface_needs():
 # ------------------------------------------------------------------------------------------ a pocket, through it all
 
 
-def sweep(result, share=8):
-    """Tips and axes along the real way of every block that cuts, ``share`` poses a block."""
-    q, motion = words_to_q(result.program.words), result.program.motion
-    cuts = np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
-    u = np.linspace(0.0, 1.0, share)[None, :, None]
-    pose = q[cuts][:, None] + u * (q[cuts + 1] - q[cuts])[:, None]
-    return forward(result.kinematics, pose.reshape(-1, 5))
-
-
 def share_finished(result, radius, within=0.05):
     """Of floor and walls of the pocket, but for what no round tool gets to in its upright edges: the share
     over which the cylinder of the cutter passes no farther than ``within`` mm."""
-    tip, axis = sweep(result)
+    tip, axis = walk(result, 8)
     (x, y), floor = 0.5 * np.array(INNER), OUTER[2] - DEEP
     room = radius - np.sqrt(radius**2 - (radius - within) ** 2) if within < radius else 0.0
     wide = [np.linspace(-half + radius, half - radius, 25) for half in (x, y)]

@@ -21,9 +21,10 @@ from freecad_fiveaxis.core.gouge.search import which_enter
 from freecad_fiveaxis.core.gouge.swept_motion import ways_up
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
-from freecad_fiveaxis.core.orientation import auto_axis
-from freecad_fiveaxis.core.orientation.auto_axis import Contacts, Free, select_rows_with_way_out
+from freecad_fiveaxis.core.orientation import contacts as contacts_module
+from freecad_fiveaxis.core.orientation.auto_axis import Free, select_rows_with_way_out
 from freecad_fiveaxis.core.orientation.axis_field import NODES
+from freecad_fiveaxis.core.orientation.contacts import Contacts
 from freecad_fiveaxis.core.passes import axes_within_limits, turns_within_limits, with_room
 from freecad_fiveaxis.core.passes import within_limits as limits_module
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
@@ -140,7 +141,7 @@ def test_a_contact_is_free_where_all_its_rows_are_and_none_is_requested_in_vain(
         wanted_rows.append(len(stand))
         return stand[:, 0] > -0.5
 
-    monkeypatch.setattr(auto_axis, "are_free", answered)
+    monkeypatch.setattr(contacts_module, "are_free", answered)
     wanted = random.random(200) < 0.8
     free = known.free(np.tile(UP, (200, 1)), wanted, SimpleNamespace(cutter=Cutter(6.0)), None, None)
     row_free = (stand[:, 0] > -0.5) & fits & (normal[:, 2] > 0)

@@ -18,8 +18,9 @@ from freecad_fiveaxis.core.orientation.strategies import AxisOptions
 from freecad_fiveaxis.core.passes.frames import Frames
 from freecad_fiveaxis.core.toolpath.coedge import ROW_COLUMNS, OffsetPath, take_path_rows
 
-from .auto_axis import FEW, Contacts, Free, find_contacts
+from .auto_axis import FEW, Free
 from .axis_field import with_way_out
+from .contacts import Contacts, find_contacts
 from .order_with_axes import order_with_axes
 
 

@@ -24,9 +24,9 @@ RAISES = 3
 
 
 def raise_contacts(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> tuple[Floats, Bools]:
-    """Raise contacts (n, 3) mm along their unit ``normal`` (n, 3) until a ball end is out of the part, and
-    say which (n,) are: within RAISED of its radius. Of other cutters nothing is known before their axis is:
-    they stay."""
+    """Raise contacts (n, 3) mm along their unit ``normal`` (n, 3) until a ball end, or a level bottom across
+    the normal, is out of the part, and say which (n,) fit: a ball within RAISED of its radius. Of a bottom
+    that stays in the part, and of other cutters, nothing is known before their axis is."""
     cutter, stand = reacher.cutter, np.array(point, float)
     fits = np.ones(len(point), np.bool_)
     if cutter.has_level_bottom:

@@ -18,12 +18,11 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.orientation.auto_axis import (
     auto_axes,
     divide_path,
-    find_contacts,
     refine_field,
     select_rows_with_way_out,
-    slide_path,
 )
 from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS
+from freecad_fiveaxis.core.orientation.contacts import find_contacts, slide_path
 from freecad_fiveaxis.core.orientation.facets_with_axis import AxisField
 from freecad_fiveaxis.core.orientation.free_in_frames import by_frame, free_in_frames
 from freecad_fiveaxis.core.orientation.free_turns import divide_blocked_turns
